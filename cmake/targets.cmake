@@ -1,0 +1,47 @@
+# How the project's own targets are made: one library a folder, one test program a test folder.
+
+add_library(gibench_options INTERFACE)
+target_include_directories(gibench_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+                       $<$<BOOL:${GIBENCH_WARNINGS_AS_ERRORS}>:-Werror>
+                       $<$<BOOL:${GIBENCH_ARCHITECTURE}>:-march=${GIBENCH_ARCHITECTURE}>
+                       # Fused multiply-adds are contracted the same way in every build of one machine only where
+                       # the compiler is told not to choose: same seed, same bits.
+                       -ffp-contract=off)
+target_compile_definitions(gibench_options INTERFACE $<$<BOOL:${GIBENCH_STD_THREADS}>:GIBENCH_STD_THREADS>)
+target_link_libraries(gibench_options INTERFACE Threads::Threads)
+
+# gibench_library(NAME LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder.
+function(gibench_library NAME)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(gibench_${NAME} STATIC ${sources})
+    target_link_libraries(gibench_${NAME} PUBLIC gibench_options ${ARG_LIBRARIES})
+  else()  # headers only
+    add_library(gibench_${NAME} INTERFACE)
+    target_link_libraries(gibench_${NAME} INTERFACE gibench_options ${ARG_LIBRARIES})
+  endif()
+endfunction()
+
+# gibench_test(NAME LIBRARIES ...): a test program test_NAME of every *_test.cpp file of this folder; its
+# cases are CTest tests. GIBENCH_TEST_DATA is this folder.
+function(gibench_test NAME)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_executable(test_${NAME} ${sources})
+  target_link_libraries(test_${NAME} PRIVATE gibench_options ${ARG_LIBRARIES} GTest::gmock GTest::gtest GTest::gtest_main)
+  target_compile_definitions(test_${NAME} PRIVATE GIBENCH_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}"
+                             GIBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GIBENCH_PROGRAM="${CMAKE_BINARY_DIR}/bin/gibench")
+  include(GoogleTest)
+  gtest_discover_tests(test_${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+endfunction()
+
+# Adds every subfolder that has a CMakeLists.txt.
+function(gibench_add_subfolders)
+  file(GLOB folders CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
+  foreach(file ${folders})
+    get_filename_component(folder ${file} DIRECTORY)
+    add_subdirectory(${folder})
+  endforeach()
+endfunction()

@@ -1,0 +1,28 @@
+#include "common/core/error.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace gibench {
+
+namespace {
+
+std::string one_line(const std::string& place, const std::string& problem, const std::string& mend) {
+  std::string text = place + ": " + problem;
+  if (!mend.empty()) text += "; " + mend;
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+InputError::InputError(const std::string& place, const std::string& problem, const std::string& mend)
+    : std::runtime_error(one_line(place, problem, mend)) {}
+
+void check_failed(const char* condition, const char* message, const char* file, int line) {
+  std::fprintf(stderr, "%s:%d: check failed: %s (%s)\n", file, line, message, condition);
+  std::abort();
+}
+
+}  // namespace gibench

@@ -1,0 +1,30 @@
+/// The error channels: bad input throws InputError; work that could not be finished throws WorkError;
+/// a programmer's error is a failed check. What numerics do is told in a StageReport, never thrown.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace gibench {
+
+/// The input or the call is wrong. `what()` is one line: place, what is wrong, how to mend it. Exit status 2.
+class InputError : public std::runtime_error {
+ public:
+  /// place: file, JSON path or option; problem: what is wrong there; mend: what to write instead (may be empty).
+  InputError(const std::string& place, const std::string& problem, const std::string& mend = {});
+};
+
+/// The work itself failed: out of time or memory, no convergence, a method that refused the scene. Exit status 4.
+class WorkError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reports a broken invariant on stderr and aborts; see GIBENCH_CHECK.
+[[noreturn]] void check_failed(const char* condition, const char* message, const char* file, int line);
+
+}  // namespace gibench
+
+/// A programmer's error: checked in every build, because a wrong picture costs more than a branch.
+#define GIBENCH_CHECK(condition, message) \
+  (static_cast<bool>(condition) ? void(0) : ::gibench::check_failed(#condition, message, __FILE__, __LINE__))

@@ -1,0 +1,41 @@
+/// The shared direct-light evaluator: light straight from the lights, for every method that gives only
+/// indirect light, and the next-event estimation of the path tracer.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "common/core/rgb.h"
+#include "common/ray/ray_stream.h"
+#include "common/ray/world.h"
+
+namespace gibench {
+
+/// Immutable after construction, shared by all threads. Keeps references to neither argument but the World.
+class DirectLight {
+ public:
+  DirectLight(const World& world, const Lighting& lighting);
+  ~DirectLight();
+
+  /// Radiance that the surface itself emits from the sample's side, W/(m² sr); zero from a back.
+  Rgb emission(const SurfaceSample& sample) const;
+  /// Radiance of the environment seen in a unit direction, W/(m² sr); zero without one.
+  Rgb environment(const Vec3& direction) const;
+  /// Whether there is no light at all.
+  bool dark() const;
+
+  /// Irradiance on the sample's side straight from all lights, W/m²: an unbiased estimate of `samples`
+  /// light samples and as many hemisphere samples, combined by multiple importance sampling. `key` fixes the random
+  /// numbers: the same key gives the same bits. Zero on an unlit side.
+  Rgb irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const;
+
+  /// Radiance leaving the sample towards the unit direction `toward_viewer`: emission plus straight light
+  /// reflected once, W/(m² sr). The same estimator with the surface's BRDF.
+  Rgb radiance(const SurfaceSample& sample, const Vec3& toward_viewer, std::uint64_t key, int samples, RayStream& rays) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gibench

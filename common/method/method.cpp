@@ -1,0 +1,158 @@
+#include "common/method/method.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "common/core/error.h"
+#include "common/core/random.h"
+
+namespace gibench {
+
+namespace {
+
+constexpr std::size_t shade_chunk = 64;    // samples
+constexpr int shared_direct_samples = 32;  // light samples, and as many hemisphere samples, per surface sample
+constexpr std::uint64_t direct_stage = 0x646972656374ULL;
+
+/// Runs one stage between two clock readings and two readings of the run's counters.
+StageReport timed_stage(Task& task, const std::function<void(StageReport&)>& work) {
+  StageReport report;
+  const Counters before = task.counters();
+  const std::size_t history_before = task.history().size();
+  const auto start = std::chrono::steady_clock::now();
+  work(report);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.counters = task.counters().since(before);
+  report.history.assign(task.history().begin() + static_cast<std::ptrdiff_t>(history_before), task.history().end());
+  if (task.cancelled()) report.termination = Termination::cancelled;
+  return report;
+}
+
+void poison(std::span<Rgb> values) {
+  for (Rgb& value : values) value = Rgb(std::numeric_limits<float>::quiet_NaN());
+}
+
+/// Turns the report into invalid_output at the first value that was not written or is not finite.
+void check_written(std::span<const Rgb> values, const char* what, StageReport& report) {
+  if (!succeeded(report.termination)) return;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!is_finite(values[i])) {
+      report.termination = Termination::invalid_output;
+      report.message = fmt::format("{} of sample {} was not written or is not finite", what, i);
+      return;
+    }
+}
+
+}  // namespace
+
+StageReport TransportMethod::prepare(const World& world, const EffectPlan& plan, Task& task) {
+  world_ = &world;
+  plan_ = plan;
+  lit_ = false;
+  direct_light_.reset();
+  StageReport report = timed_stage(task, [&](StageReport& r) { do_prepare(task, r); });
+  prepared_ = succeeded(report.termination);
+  return report;
+}
+
+void TransportMethod::rebuild_direct_light(const Lighting& lighting) {
+  GIBENCH_CHECK(lighting.emission.size() == world_->scene().materials.size(), "one emission for each material");
+  direct_light_ = std::make_unique<DirectLight>(*world_, lighting);
+}
+
+StageReport TransportMethod::light(const Lighting& lighting, Task& task) {
+  GIBENCH_CHECK(prepared_, "light() comes after a prepare() that succeeded");
+  StageReport report = timed_stage(task, [&](StageReport& r) {
+    rebuild_direct_light(lighting);
+    do_light(lighting, task, r);
+  });
+  lit_ = succeeded(report.termination);
+  return report;
+}
+
+StageReport TransportMethod::edit(const SceneEdit& edit, const World& after, const Lighting& lighting, Task& task) {
+  GIBENCH_CHECK(prepared_, "edit() comes after a prepare() that succeeded");
+  world_ = &after;
+  StageReport report = timed_stage(task, [&](StageReport& r) {
+    rebuild_direct_light(lighting);
+    do_edit(edit, lighting, task, r);
+  });
+  prepared_ = lit_ = succeeded(report.termination);
+  return report;
+}
+
+void TransportMethod::do_edit(const SceneEdit&, const Lighting& lighting, Task& task, StageReport& report) {
+  do_prepare(task, report);
+  if (succeeded(report.termination) && !task.cancelled()) do_light(lighting, task, report);
+}
+
+StageReport TransportMethod::shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const {
+  GIBENCH_CHECK(lit_, "shade() comes after a light() that succeeded");
+  const std::size_t count = request.samples.size();
+  const auto fits = [&](std::size_t size) { return size == 0 || size == count; };
+  GIBENCH_CHECK(fits(answer.direct.size()) && fits(answer.indirect.size()), "one value for each sample");
+  GIBENCH_CHECK(
+      fits(answer.direct_variance.size()) && fits(answer.indirect_variance.size()) && fits(answer.total_variance.size()),
+      "one variance for each sample");
+  GIBENCH_CHECK(request.toward_viewer.size() == (request.quantity == Quantity::radiance ? count : 0),
+                "one direction for each sample where radiance is asked for");
+  const Capabilities can = capabilities();
+  GIBENCH_CHECK(
+      can.variance || (answer.direct_variance.empty() && answer.indirect_variance.empty() && answer.total_variance.empty()),
+      "variance is asked only of methods that know it");
+  for (std::span<Rgb> values :
+       {answer.direct, answer.indirect, answer.direct_variance, answer.indirect_variance, answer.total_variance})
+    poison(values);
+
+  StageReport report = timed_stage(task, [&](StageReport& r) {
+    if (request.quantity == Quantity::radiosity && !can.quantities.contains(Quantity::radiosity)) {
+      shade_radiosity(request, answer, task, r);
+      return;
+    }
+    GIBENCH_CHECK(can.quantities.contains(request.quantity), "a method is asked only for quantities that it answers");
+    ShadeAnswer own = answer;
+    if (!can.direct && request.quantity != Quantity::accessibility) own.direct = {};
+    do_shade(request, own, task, r);
+    if (own.direct.size() != answer.direct.size()) shade_direct(request, answer.direct, task);
+  });
+  check_written(answer.direct, "direct light", report);
+  check_written(answer.indirect, "indirect light", report);
+  for (std::span<const Rgb> variance : {answer.direct_variance, answer.indirect_variance, answer.total_variance})
+    check_written(variance, "the variance", report);
+  return report;
+}
+
+void TransportMethod::shade_direct(const ShadeRequest& request, std::span<Rgb> direct, Task& task) const {
+  task.parallel_chunks(direct.size(), shade_chunk, [&](const ChunkRange& range) {
+    RayStream rays = task.rays(world());
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const std::uint64_t key = mix_keys(task.seed(), direct_stage, i);
+      direct[i] = request.quantity == Quantity::irradiance
+                      ? direct_light_->irradiance(request.samples[i], key, shared_direct_samples, rays)
+                      : direct_light_->radiance(request.samples[i], request.toward_viewer[i], key, shared_direct_samples, rays);
+    }
+  });
+}
+
+/// Radiosity of diffuse surfaces: B = π Le + ρ E, the emission counted as direct.
+void TransportMethod::shade_radiosity(const ShadeRequest& request, const ShadeAnswer& answer, Task& task,
+                                      StageReport& report) const {
+  GIBENCH_CHECK(answer.direct_variance.empty() && answer.indirect_variance.empty() && answer.total_variance.empty(),
+                "a derived radiosity has no variance");
+  const ShadeRequest irradiance{Quantity::irradiance, request.samples, {}};
+  const bool own_direct = capabilities().direct;
+  do_shade(irradiance, {own_direct ? answer.direct : std::span<Rgb>{}, answer.indirect, {}, {}, {}}, task, report);
+  if (!own_direct) shade_direct(irradiance, answer.direct, task);
+  for (std::size_t i = 0; i < request.samples.size(); ++i) {
+    const SurfaceSample& sample = request.samples[i];
+    const Rgb albedo = sample.lit_side ? world().scene().material_of_object(sample.object).diffuse : Rgb();
+    if (!answer.direct.empty()) answer.direct[i] = direct_light_->emission(sample) * pi + albedo * answer.direct[i];
+    if (!answer.indirect.empty()) answer.indirect[i] *= albedo;
+  }
+}
+
+}  // namespace gibench

@@ -1,0 +1,39 @@
+#include "common/method/task.h"
+
+#include <string>
+
+namespace gibench {
+
+const char* to_string(Termination t) {
+  switch (t) {
+    case Termination::done: return "done";
+    case Termination::converged: return "converged";
+    case Termination::bound_reached: return "bound reached";
+    case Termination::not_converged: return "not converged";
+    case Termination::out_of_budget: return "out of budget";
+    case Termination::cancelled: return "cancelled";
+    case Termination::invalid_output: return "invalid output";
+  }
+  return "unknown";
+}
+
+Counters Task::counters() const {
+  Counters all = counters_;
+  if (const std::uint64_t n = ray_counts_.closest_hit.load(); n > 0) all.add("closest_hit_rays", n);
+  if (const std::uint64_t n = ray_counts_.occlusion.load(); n > 0) all.add("occlusion_rays", n);
+  return all;
+}
+
+void Task::parallel_chunks(std::size_t count, std::size_t chunk_size, const std::function<void(const ChunkRange&)>& body) {
+  gibench::parallel_chunks(threads(), count, chunk_size, [&](const ChunkRange& range) {
+    if (!cancelled()) body(range);
+  });
+}
+
+void Task::progress(std::string_view step, double done, double residual) {
+  ProgressPoint point{std::string(step), done, residual};
+  if (settings_.on_progress) settings_.on_progress(point);
+  history_.push_back(std::move(point));
+}
+
+}  // namespace gibench

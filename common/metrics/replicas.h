@@ -1,0 +1,27 @@
+/// Independent replicates of the same estimate: what honest intervals are made from.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "common/core/rgb.h"
+
+namespace gibench {
+
+/// `replicas[r][i]` is the estimate of value i by replicate r; all replicates used the same number of samples.
+struct Replicas {
+  std::vector<std::vector<Rgb>> replicas;
+
+  std::size_t count() const { return replicas.size(); }
+  std::size_t size() const { return replicas.empty() ? 0 : replicas.front().size(); }
+  /// Mean over all replicates.
+  std::vector<Rgb> mean() const;
+  /// Mean over the even (which = 0, half A) or odd (1, half B) replicates.
+  std::vector<Rgb> half(int which) const;
+  /// Variance of mean() per value and channel: the sample variance over replicates divided by their count.
+  std::vector<Rgb> variance_of_mean() const;
+  /// Replicate by replicate sum, as for total = direct + indirect. Shapes must agree.
+  static Replicas sum(const Replicas& a, const Replicas& b);
+};
+
+}  // namespace gibench

@@ -1,0 +1,142 @@
+#include "common/ray/ray_backend.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+#include "common/core/error.h"
+
+namespace gibench {
+
+namespace {
+
+constexpr std::size_t packet = 8;  // rays that Embree traces together on AVX2
+
+void report_embree_error(void*, RTCError code, const char* text) {
+  throw WorkError("Embree error " + std::to_string(static_cast<int>(code)) + ": " + (text != nullptr ? text : ""));
+}
+
+RTCRayHit to_embree(const Ray& ray) {
+  RTCRayHit query{};
+  query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
+  query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
+  query.ray.tnear = ray.t_min, query.ray.tfar = ray.t_max;
+  query.ray.mask = ~0U;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
+void load_packet(RTCRay8& query, std::span<const Ray> rays, int (&valid)[packet]) {
+  for (std::size_t i = 0; i < packet; ++i) {
+    const Ray& ray = rays[std::min(i, rays.size() - 1)];
+    valid[i] = i < rays.size() ? -1 : 0;
+    query.org_x[i] = ray.origin.x, query.org_y[i] = ray.origin.y, query.org_z[i] = ray.origin.z;
+    query.dir_x[i] = ray.direction.x, query.dir_y[i] = ray.direction.y, query.dir_z[i] = ray.direction.z;
+    query.tnear[i] = ray.t_min, query.tfar[i] = ray.t_max;
+    query.time[i] = 0.0F;
+    query.mask[i] = ~0U, query.id[i] = 0, query.flags[i] = 0;
+  }
+}
+
+}  // namespace
+
+struct RayBackend::Impl {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::atomic<std::int64_t> bytes{0};
+
+  ~Impl() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  static bool count_memory(void* self, ssize_t bytes, bool) {
+    static_cast<Impl*>(self)->bytes += bytes;
+    return true;
+  }
+
+  void build(const Scene& input, int threads) {
+    device = rtcNewDevice(threads > 0 ? ("threads=" + std::to_string(threads)).c_str() : nullptr);
+    if (device == nullptr) throw WorkError("Embree could not make a device");
+    rtcSetDeviceErrorFunction(device, report_embree_error, nullptr);
+    rtcSetDeviceMemoryMonitorFunction(device, count_memory, this);
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    if (!input.triangles.empty()) attach_triangles(input);
+    rtcCommitScene(scene);
+  }
+
+  void attach_triangles(const Scene& input) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<Vec3*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), input.vertices.size()));
+    std::copy(input.vertices.begin(), input.vertices.end(), vertices);
+    auto* triangles = static_cast<Triangle*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), input.triangles.size()));
+    std::copy(input.triangles.begin(), input.triangles.end(), triangles);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+};
+
+RayBackend::RayBackend(const Scene& scene, int threads) : impl_(std::make_unique<Impl>()) { impl_->build(scene, threads); }
+RayBackend::~RayBackend() = default;
+RayBackend::RayBackend(RayBackend&&) noexcept = default;
+
+std::size_t RayBackend::bytes() const { return static_cast<std::size_t>(std::max<std::int64_t>(0, impl_->bytes.load())); }
+
+Hit RayBackend::closest_hit(const Ray& ray) const {
+  alignas(16) RTCRayHit query = to_embree(ray);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(impl_->scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
+}
+
+bool RayBackend::occluded(const Ray& ray) const {
+  alignas(16) RTCRay query = to_embree(ray).ray;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(impl_->scene, &context, &query);
+  return query.tfar < 0.0F;
+}
+
+void RayBackend::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
+  GIBENCH_CHECK(rays.size() == hits.size(), "one hit for each ray");
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t first = 0; first < rays.size(); first += packet) {
+    const std::size_t count = std::min(packet, rays.size() - first);
+    alignas(32) RTCRayHit8 query;
+    alignas(32) int valid[packet];
+    load_packet(query.ray, rays.subspan(first, count), valid);
+    for (unsigned& id : query.hit.geomID) id = RTC_INVALID_GEOMETRY_ID;
+    for (unsigned& id : query.hit.instID[0]) id = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect8(valid, impl_->scene, &context, &query);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool found = query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      hits[first + i] = found ? Hit{query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]} : Hit{};
+    }
+  }
+}
+
+void RayBackend::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+  GIBENCH_CHECK(rays.size() == occluded.size(), "one answer for each ray");
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t first = 0; first < rays.size(); first += packet) {
+    const std::size_t count = std::min(packet, rays.size() - first);
+    alignas(32) RTCRay8 query;
+    alignas(32) int valid[packet];
+    load_packet(query, rays.subspan(first, count), valid);
+    rtcOccluded8(valid, impl_->scene, &context, &query);
+    for (std::size_t i = 0; i < count; ++i) occluded[first + i] = query.tfar[i] < 0.0F ? 1 : 0;
+  }
+}
+
+}  // namespace gibench

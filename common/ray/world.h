@@ -1,0 +1,65 @@
+/// A scene made ready for transport: per-triangle geometry and the ray backend.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/core/vec.h"
+#include "common/ray/ray_backend.h"
+#include "common/scene/scene.h"
+
+namespace gibench {
+
+/// A point of a surface, seen from one side: where a method is asked for light.
+struct SurfaceSample {
+  Vec3 position;
+  Vec3 normal;  ///< unit, on the side that is asked about
+  std::uint32_t object = 0;
+  std::uint32_t face = 0;      ///< index into Scene::faces
+  std::uint32_t triangle = 0;  ///< index into Scene::triangles
+  Vec2 barycentrics{0.0F};     ///< of the triangle's second and third corner
+  bool lit_side = true;        ///< the front, or either side of a two-sided object; a back is black
+};
+
+class World {
+ public:
+  explicit World(Scene scene, int threads = 0);
+
+  const Scene& scene() const { return scene_; }
+  const RayBackend& rays() const { return rays_; }
+
+  /// Unit front normal; zero for a degenerate triangle, which has area 0 and is never sampled.
+  const Vec3& normal(std::uint32_t triangle) const { return normals_[triangle]; }
+  float area(std::uint32_t triangle) const { return areas_[triangle]; }  ///< m², one side
+  double total_area() const { return total_area_; }                      ///< m², one side of every triangle
+  Vec3 bounds_min() const { return bounds_min_; }
+  Vec3 bounds_max() const { return bounds_max_; }
+  float diagonal() const { return glm::length(bounds_max_ - bounds_min_); }  ///< metres, of the bounding box
+
+  Vec3 position(std::uint32_t triangle, Vec2 barycentrics) const;
+  /// The side of `triangle` that `back_along` points away from (normal · back_along ≥ 0 on the front).
+  SurfaceSample sample_at(std::uint32_t triangle, Vec2 barycentrics, const Vec3& seen_from_direction) const;
+  /// Where a ray of this direction hit.
+  SurfaceSample sample_of_hit(const Hit& hit, const Vec3& ray_direction) const {
+    return sample_at(hit.triangle, {hit.u, hit.v}, -ray_direction);
+  }
+
+  /// An origin just off the surface on the side of `sample.normal`, far enough that a ray from there does not
+  /// meet the surface again, near enough for a crack of a few 1e-5 of the local coordinates.
+  Vec3 ray_origin(const SurfaceSample& sample) const { return sample.position + offset(sample) * sample.normal; }
+  /// The length of that offset, metres: from the rounding of the position and of the triangle's corners.
+  float offset(const SurfaceSample& sample) const;
+
+  /// The ray from `from` towards `to`, ending just short of the surface at `to`: for occlusion between two points.
+  Ray segment(const SurfaceSample& from, const SurfaceSample& to) const;
+
+ private:
+  Scene scene_;
+  std::vector<Vec3> normals_;
+  std::vector<float> areas_, extents_;
+  double total_area_ = 0.0;
+  Vec3 bounds_min_{0.0F}, bounds_max_{0.0F};
+  RayBackend rays_;
+};
+
+}  // namespace gibench

@@ -1,0 +1,147 @@
+/// A scene in memory: geometry in flat arrays, materials, lights, cameras and edits, all checked on loading.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/core/rgb.h"
+#include "common/core/vec.h"
+
+namespace gibench {
+
+enum class Bsdf { diffuse, phong, ggx, mirror };
+
+/// What the front of a surface does to light; the fields that `bsdf` does not use stay zero.
+struct Material {
+  std::string name;
+  Bsdf bsdf = Bsdf::diffuse;
+  Rgb diffuse;             ///< reflectance of the diffuse part, [0, 1]; the whole albedo of a `diffuse` material
+  Rgb specular;            ///< phong: ks of the normalised lobe, [0, 1]
+  float exponent = 0.0F;   ///< phong: n ≥ 0
+  float roughness = 0.0F;  ///< ggx: alpha = roughness², roughness in [0, 1]
+  Rgb f0;                  ///< ggx: Schlick reflectance at normal incidence, [0, 1]
+  Rgb reflectance;         ///< mirror: [0, 1]
+  Rgb emission;            ///< radiance leaving the front, W/(m² sr)
+};
+
+/// Three or four corners, counter-clockwise seen from the front; a triangle repeats its third corner.
+struct Face {
+  std::array<std::uint32_t, 4> corners{};
+  bool is_quad() const { return corners[3] != corners[2]; }
+};
+
+struct Triangle {
+  std::array<std::uint32_t, 3> corners{};
+};
+
+/// A run of faces with one material. Faces and triangles of an object are contiguous.
+struct Object {
+  std::string name;
+  std::uint32_t material = 0;
+  bool two_sided = false;  ///< reflects and emits on its back as on its front
+  std::string group;       ///< reconstruction group (Lehtinen 2007, 6.1); empty = the scene's common one
+  std::uint32_t vertex_begin = 0, vertex_end = 0;
+  std::uint32_t face_begin = 0, face_end = 0;
+  std::uint32_t triangle_begin = 0, triangle_end = 0;
+};
+
+struct PointLight {
+  Vec3 position;  ///< relative to Scene::origin
+  Rgb intensity;  ///< W/sr
+};
+struct SpotLight {
+  Vec3 position;
+  Vec3 direction;                            ///< unit; the way the light travels
+  Rgb intensity;                             ///< W/sr inside the inner cone
+  float cos_inner = 1.0F, cos_outer = 1.0F;  ///< smoothstep in the cosine between them
+};
+struct DirectionalLight {
+  Vec3 direction;  ///< unit; the way the light travels
+  Rgb irradiance;  ///< W/m² on a surface that faces the light
+};
+/// Light-probe pixels in latitude-longitude layout: row 0 is up (+y), the middle column looks along -z.
+struct EnvironmentImage {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;  ///< row-major from the top, W/(m² sr)
+};
+struct EnvironmentLight {
+  Rgb radiance{1.0F};                             ///< constant radiance, or the factor on the image
+  std::shared_ptr<const EnvironmentImage> image;  ///< empty: constant
+  float rotate_y_degrees = 0.0F;
+};
+using Light = std::variant<PointLight, SpotLight, DirectionalLight, EnvironmentLight>;
+
+struct Camera {
+  std::string name;
+  Vec3 position, look_at, up;  ///< positions relative to Scene::origin
+  float vertical_fov_degrees = 40.0F;
+  int width = 512, height = 512;  ///< pixels
+};
+
+struct MoveEdit {
+  std::string object;
+  Vec3d translate{0};
+  Vec3d rotate_degrees{0};
+};
+struct MaterialEdit {
+  std::string material;
+  Material after;
+};
+struct LightEdit {
+  std::size_t light;
+  Light after;
+};
+struct DeformEdit {
+  std::string object;
+  std::filesystem::path file;
+};
+using SceneEdit = std::variant<MoveEdit, MaterialEdit, LightEdit, DeformEdit>;
+
+/// Exposure values (stops) at which pictures of the scene are shown and FLIP is taken.
+struct Exposure {
+  float value = 0.0F;                ///< LDR pictures: radiance times 2^value
+  float start = -2.0F, stop = 4.0F;  ///< HDR-FLIP range
+};
+
+struct Scene {
+  std::string name;
+  std::filesystem::path file;  ///< where it was read from; empty for a scene made in memory
+  Vec3d origin{0};             ///< what was taken off every position on reading; add it to get file coordinates
+  std::vector<Vec3> vertices;
+  std::vector<Face> faces;
+  std::vector<Object> objects;
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  std::vector<SceneEdit> edits;
+  std::optional<Exposure> exposure;
+  std::vector<std::string> warnings;  ///< what was read but is not used, a line each
+
+  // The tessellation, filled by tessellate(): a quad gives two triangles (0,1,2) and (0,2,3), or the other
+  // diagonal where the quad is concave; a triangle gives itself.
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> triangle_face;    ///< face of every triangle
+  std::vector<std::uint32_t> triangle_object;  ///< object of every triangle
+
+  const Material& material_of_object(std::uint32_t object) const { return materials[objects[object].material]; }
+  const Material& material_of_triangle(std::uint32_t triangle) const { return material_of_object(triangle_object[triangle]); }
+};
+
+/// Fills the tessellation arrays and the objects' triangle ranges from faces and objects.
+void tessellate(Scene& scene);
+
+/// The lights of a scene, apart from its geometry: what a method is lit with, again and again.
+struct Lighting {
+  std::vector<Light> lights;
+  std::vector<Rgb> emission;  ///< one for each material, W/(m² sr)
+
+  static Lighting of(const Scene& scene);
+};
+
+}  // namespace gibench

@@ -1,0 +1,30 @@
+#include "methods/registry.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "common/core/error.h"
+#include "methods/meshless/meshless.h"
+#include "methods/pathtracer/pathtracer.h"
+
+namespace gibench {
+
+std::span<const MethodEntry> all_methods() {
+  static const std::vector<MethodEntry> methods{
+      pathtracer_entry(),
+      meshless_entry(),
+  };
+  return methods;
+}
+
+const MethodEntry& find_method(std::string_view name) {
+  std::string known;
+  for (const MethodEntry& entry : all_methods()) {
+    if (entry.name == name) return entry;
+    known += (known.empty() ? "" : ", ") + entry.name;
+  }
+  throw InputError("--method", fmt::format("unknown method '{}'", name), "known: " + known);
+}
+
+}  // namespace gibench

@@ -1,0 +1,16 @@
+/// Every method, in the order in which they are listed. A new method is one folder, one line here and a test.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "common/method/method.h"
+
+namespace gibench {
+
+std::span<const MethodEntry> all_methods();
+
+/// Throws InputError, the known names listed, for a name that is not registered.
+const MethodEntry& find_method(std::string_view name);
+
+}  // namespace gibench
