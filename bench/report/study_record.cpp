@@ -1,0 +1,40 @@
+#include "bench/report/study_record.h"
+
+namespace gibench::report {
+
+const char* to_string(RunStatus status) {
+  switch (status) {
+    case RunStatus::done: return "done";
+    case RunStatus::refused: return "refused";
+    case RunStatus::timed_out: return "timed_out";
+    case RunStatus::crashed: return "crashed";
+    case RunStatus::failed: return "failed";
+    case RunStatus::skipped: return "skipped";
+  }
+  return "failed";
+}
+
+const MeasuredError* RunRecord::error(const ErrorKey& key) const {
+  const auto found = errors.find(key);
+  return found == errors.end() ? nullptr : &found->second;
+}
+
+std::optional<double> RunRecord::transport_seconds(const std::string& domain) const {
+  const auto stage = [this](const std::string& name) -> std::optional<double> {
+    const auto found = seconds.find(name);
+    return found == seconds.end() ? std::nullopt : std::optional(found->second);
+  };
+  const auto of_domain = stage("shade_" + domain);
+  const auto shade = of_domain ? of_domain : stage("shade");
+  if (!shade) return std::nullopt;
+  return stage("prepare").value_or(0.0) + stage("light").value_or(0.0) + *shade;
+}
+
+std::vector<std::size_t> StudyRecord::runs_of(const std::string& scene) const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (runs[i].scene == scene) found.push_back(i);
+  return found;
+}
+
+}  // namespace gibench::report

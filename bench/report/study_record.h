@@ -1,0 +1,91 @@
+/// A study as the report sees it: what the manifest, the run records and the references say. What was not measured
+/// is absent.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gibench::report {
+
+/// Name and value as text, in the order of the file.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// Which error: component direct | indirect | total, domain surface | image, and the metric's name.
+struct ErrorKey {
+  std::string domain, component, metric;
+  auto operator<=>(const ErrorKey&) const = default;
+};
+
+struct MeasuredError {
+  double value = 0.0;
+  std::optional<double> low, high;  ///< 95% interval
+  std::optional<double> noise_floor;
+  bool below_noise_floor = false;
+};
+
+enum class RunStatus { done, refused, timed_out, crashed, failed, skipped };
+/// As in the manifest: "done", "timed_out", …
+const char* to_string(RunStatus status);
+
+/// What a method made of the effects that the scene calls for.
+struct Effects {
+  std::vector<std::string> called_for, simulated, missing;
+  std::vector<std::pair<std::string, std::string>> skipped;  ///< effect and why
+};
+
+struct RunRecord {
+  std::string id, label, scene, method;
+  Facts parameters;
+  RunStatus status = RunStatus::failed;
+  std::optional<int> exit_code;
+  std::string message;                     ///< why it did not come to its end; empty for a run that did
+  std::filesystem::path folder;            ///< holds result.json, image.exr, log.txt
+  std::optional<double> wall_seconds;      ///< of the whole process
+  std::optional<std::uint64_t> peak_bytes;  ///< of the whole process
+
+  // From result.json.
+  std::optional<std::uint64_t> seed, threads;
+  std::optional<Effects> effects;
+  std::map<std::string, double> seconds;  ///< load, prepare, light, shade, shade_surface, shade_image
+  std::optional<std::uint64_t> method_bytes;
+  std::map<std::string, std::uint64_t> counters;
+  std::vector<std::string> warnings;
+  std::string termination;
+  std::map<ErrorKey, MeasuredError> errors;
+  Facts reference;
+
+  const MeasuredError* error(const ErrorKey& key) const;
+  /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not told
+  /// apart). Reading the scene is the same for every method and left out.
+  std::optional<double> transport_seconds(const std::string& domain) const;
+};
+
+struct SceneRecord {
+  std::string name;
+  std::optional<std::string> skipped;  ///< why the study left the scene out
+  float exposure = 0.0F;               ///< stops at which its pictures are shown
+  Facts facts;                         ///< camera, resolution, geometry, …
+  std::filesystem::path reference_folder;
+  Facts reference;  ///< reference.json; empty where there is none
+};
+
+struct StudyRecord {
+  std::filesystem::path folder;
+  std::string name, version, commit, created;
+  Facts machine;
+  Facts settings;  ///< the rest of the manifest's own entries: seed, threads, …
+  std::vector<SceneRecord> scenes;
+  std::vector<RunRecord> runs;
+  std::vector<std::string> warnings;  ///< what could not be read, a line each
+
+  /// Positions in `runs`, in the order of the manifest.
+  std::vector<std::size_t> runs_of(const std::string& scene) const;
+};
+
+}  // namespace gibench::report
