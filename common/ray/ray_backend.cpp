@@ -1,9 +1,11 @@
 #include "common/ray/ray_backend.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <string>
 
 #include "common/core/error.h"
@@ -13,10 +15,6 @@ namespace gibench {
 namespace {
 
 constexpr std::size_t packet = 8;  // rays that Embree traces together on AVX2
-
-void report_embree_error(void*, RTCError code, const char* text) {
-  throw WorkError("Embree error " + std::to_string(static_cast<int>(code)) + ": " + (text != nullptr ? text : ""));
-}
 
 RTCRayHit to_embree(const Ray& ray) {
   RTCRayHit query{};
@@ -46,6 +44,8 @@ struct RayBackend::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::atomic<std::int64_t> bytes{0};
+  std::mutex error_mutex;
+  std::string error;  ///< the first that Embree reported
 
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
@@ -57,16 +57,28 @@ struct RayBackend::Impl {
     return true;
   }
 
+  /// Embree calls this from inside its own code, through which nothing may be thrown.
+  static void keep_error(void* self, RTCError code, const char* text) {
+    Impl& impl = *static_cast<Impl*>(self);
+    const std::lock_guard lock(impl.error_mutex);
+    if (impl.error.empty())
+      impl.error = "Embree error " + std::to_string(static_cast<int>(code)) + ": " + (text != nullptr ? text : "");
+  }
+
   void build(const Scene& input, int threads) {
-    device = rtcNewDevice(threads > 0 ? ("threads=" + std::to_string(threads)).c_str() : nullptr);
+    // A thread count given to the device would bind the whole process while the device lives: the arena below
+    // binds the building alone.
+    device = rtcNewDevice(nullptr);
     if (device == nullptr) throw WorkError("Embree could not make a device");
-    rtcSetDeviceErrorFunction(device, report_embree_error, nullptr);
+    rtcSetDeviceErrorFunction(device, keep_error, this);
     rtcSetDeviceMemoryMonitorFunction(device, count_memory, this);
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     if (!input.triangles.empty()) attach_triangles(input);
-    rtcCommitScene(scene);
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] { rtcJoinCommitScene(scene); });
+    if (!error.empty()) throw WorkError(error);
   }
 
   void attach_triangles(const Scene& input) {
