@@ -20,6 +20,8 @@ enum class Effect {
 using EffectSet = std::set<Effect>;
 
 const char* to_string(Effect effect);
+/// One line for people.
+const char* meaning_of(Effect effect);
 const std::vector<Effect>& all_effects();
 
 struct SkippedEffect {
