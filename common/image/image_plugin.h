@@ -1,0 +1,47 @@
+/// The seam between the program and the image plugin (plugin/openimageio.cpp): a table of functions that throw
+/// nothing, found by name in the shared library gibench_image_plugin.so beside the program.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gibench {
+
+/// What a file holds, before any meaning is given to it: all channels interleaved, row-major from the top.
+struct DecodedImage {
+  int width = 0, height = 0;          ///< of the display window
+  std::vector<std::string> channels;  ///< names in the order of the samples
+  bool integer_samples = false;       ///< unsigned integers scaled to [0, 1]; else floating point as stored
+  std::vector<float> samples;         ///< width × height × channels
+  std::map<std::string, std::string> header;
+};
+
+/// One EXR channel to write: every `stride`-th float from `first`.
+struct EncodedChannel {
+  std::string name;
+  const float* first = nullptr;
+  std::size_t stride = 1;
+};
+
+/// Each returns an empty text, or one that says what went wrong.
+struct ImagePluginFunctions {
+  std::string (*decode)(const std::string& file, DecodedImage& image);
+  std::string (*encode_exr)(int width, int height, std::span<const EncodedChannel> channels,
+                            std::span<const std::pair<std::string, std::string>> header, std::vector<char>& bytes);
+  /// `rgb`: 8-bit sRGB, three bytes a pixel.
+  std::string (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb, std::vector<char>& bytes);
+};
+
+inline constexpr const char* image_plugin_file = "gibench_image_plugin.so";
+inline constexpr const char* image_plugin_symbol = "gibench_image_plugin";
+/// Type of that symbol.
+using ImagePluginEntry = const ImagePluginFunctions* (*)();
+
+/// Loads the plugin at the first call. InputError if it is not beside the program or cannot be loaded.
+const ImagePluginFunctions& image_plugin();
+
+}  // namespace gibench
