@@ -1,0 +1,32 @@
+/// Two ways of tracing the same rays, timed side by side: what a machine, busy or not, can say about a ratio.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "common/ray/ray_backend.h"
+#include "common/ray/world.h"
+
+namespace gibench::micro {
+
+/// Rays from area-uniform points of the surfaces, cosine-distributed, in random order: as incoherent as the rays
+/// of a path tracer. Each reaches `length` metres; infinity where the closest hit is asked for.
+std::vector<Ray> incoherent_rays(const World& world, std::size_t count, std::uint64_t seed, float length);
+
+/// Traces these rays and gives a checksum of what they met.
+using TraceRays = std::function<std::uint64_t(std::span<const Ray>)>;
+
+/// Every iteration traces one block of the rays with both on `threads` threads, in the order A B B A. Counters:
+/// `ratio_name` is the median over iterations of the measured rays per second over the yardstick's, `rays_per_second`
+/// and `yardstick_rays_per_second` are totals. Ends with an error where the checksums differ by more than 1e-3.
+void race(benchmark::State& state, const char* ratio_name, const TraceRays& measured, const TraceRays& yardstick,
+          std::span<const Ray> rays, int threads);
+
+/// Seconds of one call, wall clock.
+double seconds_of(const std::function<void()>& work);
+
+}  // namespace gibench::micro
