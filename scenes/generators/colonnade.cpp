@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "common/core/error.h"
 #include "scenes/generators/column.h"
@@ -45,23 +46,34 @@ class Writer {
   std::size_t triangles_ = 0;
 };
 
-/// Steps, rows of columns, arches and the beams over them.
-void build_hall(Writer& writer, const ColumnShape& shape) {
-  const double half_length = 0.5 * length, half_width = 0.5 * row_distance, margin = 1.0;
-  Mesh steps;
-  for (int i = 0; i < 3; ++i) {
-    const double reach = margin + 0.35 * (2 - i), bottom = step_height * (i - 3) - (i == 0 ? 0.0 : 0.01);
-    steps.append(block({-half_length - reach, bottom, -half_width - reach},
-                       {half_length + reach, step_height * (i - 2), half_width + reach}));
+/// A platform of three steps without hidden faces: upright risers, level treads and the floor.
+Mesh terrace() {
+  const double half_length = 0.5 * length + 1.0, half_width = 0.5 * row_distance + 1.0, tread = 0.35;
+  const auto corner = [&](int steps_down, int treads_out) {
+    return Vec3d(half_length + tread * treads_out, -step_height * steps_down, half_width + tread * treads_out);
+  };
+  Mesh mesh;
+  for (const auto& [x, z] : {std::pair{1, 1}, {1, -1}, {-1, -1}, {-1, 1}}) mesh.vertices.push_back(corner(0, 0) * Vec3d(x, 1, z));
+  mesh.faces.push_back({0, 1, 2, 3});
+  for (int step = 0; step < 3; ++step) {
+    mesh.append(frame(corner(step, step), corner(step + 1, step)));
+    if (step < 2) mesh.append(frame(corner(step + 1, step), corner(step + 1, step + 1)));
   }
-  writer.model("colonnade-steps", steps);
-  writer.model("colonnade-ground", block({-40.0, -3.0 * step_height - 0.5, -40.0}, {40.0, -3.0 * step_height + 0.01, 40.0}));
+  return mesh;
+}
+
+/// The terrace on its ground, rows of columns, arches and the beams over them.
+void build_hall(Writer& writer, const ColumnShape& shape) {
+  const double half_length = 0.5 * length, half_width = 0.5 * row_distance;
+  writer.model("colonnade-terrace", terrace());
+  const Vec3d foot(half_length + 1.7, -3.0 * step_height, half_width + 1.7);
+  writer.model("colonnade-ground", frame(foot, foot + Vec3d(4.0, 0.0, 4.0)));
   writer.model("colonnade-column", column(shape));
   const double inner = 0.5 * spacing - 0.42, outer = 0.5 * spacing - 0.01;
   writer.model("colonnade-arch", arch(inner, outer, arch_depth, 48));
   writer.model("colonnade-beam", block({-half_length - 0.6, 0.0, -0.36}, {half_length + 0.6, 0.5, 0.36}));
   writer.place("ground", "colonnade-ground", "earth", {});
-  writer.place("steps", "colonnade-steps", "paving", {});
+  writer.place("terrace", "colonnade-terrace", "paving", {});
   for (int side = -1; side <= 1; side += 2) {
     const std::string row = side < 0 ? "north" : "south";
     const double z = side * half_width;

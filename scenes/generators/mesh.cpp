@@ -52,6 +52,18 @@ Mesh block(const Vec3d& low, const Vec3d& high) {
   return mesh;
 }
 
+Mesh frame(const Vec3d& inner, const Vec3d& outer) {
+  constexpr std::array<std::array<double, 2>, 4> turns{{{1, 1}, {1, -1}, {-1, -1}, {-1, 1}}};  // counter-clockwise from above
+  Mesh mesh;
+  for (const Vec3d& size : {inner, outer})
+    for (const auto& [x, z] : turns) mesh.vertices.push_back({x * size.x, size.y, z * size.z});
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t next = (i + 1) % 4;
+    mesh.faces.push_back({4 + i, 4 + next, next, i});
+  }
+  return mesh;
+}
+
 Mesh arch(double inner_radius, double outer_radius, double depth, int segments) {
   Mesh mesh;
   for (int i = 0; i <= segments; ++i) {

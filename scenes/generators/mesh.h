@@ -29,6 +29,10 @@ Mesh closed_grid(int rows, int columns, const std::function<Vec3d(double row, do
 /// An axis-parallel block.
 Mesh block(const Vec3d& low, const Vec3d& high);
 
+/// The four quads between two rectangles about the y axis, at heights inner.y and outer.y, facing up where they are
+/// level and outwards where they are upright: corners (±inner.x, ±inner.z) and (±outer.x, ±outer.z). An open surface.
+Mesh frame(const Vec3d& inner, const Vec3d& outer);
+
 /// A semicircular arch about the z axis through the origin: a half ring between two radii, from z = -depth/2 to
 /// depth/2, its two feet on y = 0.
 Mesh arch(double inner_radius, double outer_radius, double depth, int segments);
