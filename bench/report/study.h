@@ -39,14 +39,14 @@ struct Effects {
   std::vector<std::pair<std::string, std::string>> skipped;  ///< effect and why
 };
 
-struct RunRecord {
+struct StudyRun {
   std::string id, label, scene, method;
   Facts parameters;
   RunStatus status = RunStatus::failed;
   std::optional<int> exit_code;
-  std::string message;                     ///< why it did not come to its end; empty for a run that did
-  std::filesystem::path folder;            ///< holds result.json, image.exr, log.txt
-  std::optional<double> wall_seconds;      ///< of the whole process
+  std::string message;                      ///< why it did not come to its end; empty for a run that did
+  std::filesystem::path folder;             ///< holds result.json, image.exr, log.txt
+  std::optional<double> wall_seconds;       ///< of the whole process
   std::optional<std::uint64_t> peak_bytes;  ///< of the whole process
 
   // From result.json.
@@ -58,7 +58,7 @@ struct RunRecord {
   std::vector<std::string> warnings;
   std::string termination;
   std::map<ErrorKey, MeasuredError> errors;
-  Facts reference;
+  Facts details;  ///< what else its record says: where it was measured, what the shared evaluator answered, the reference
 
   const MeasuredError* error(const ErrorKey& key) const;
   /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not told
@@ -66,7 +66,7 @@ struct RunRecord {
   std::optional<double> transport_seconds(const std::string& domain) const;
 };
 
-struct SceneRecord {
+struct StudyScene {
   std::string name;
   std::optional<std::string> skipped;  ///< why the study left the scene out
   float exposure = 0.0F;               ///< stops at which its pictures are shown
@@ -75,13 +75,13 @@ struct SceneRecord {
   Facts reference;  ///< reference.json; empty where there is none
 };
 
-struct StudyRecord {
+struct Study {
   std::filesystem::path folder;
   std::string name, version, commit, created;
   Facts machine;
   Facts settings;  ///< the rest of the manifest's own entries: seed, threads, …
-  std::vector<SceneRecord> scenes;
-  std::vector<RunRecord> runs;
+  std::vector<StudyScene> scenes;
+  std::vector<StudyRun> runs;
   std::vector<std::string> warnings;  ///< what could not be read, a line each
 
   /// Positions in `runs`, in the order of the manifest.

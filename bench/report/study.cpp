@@ -1,4 +1,4 @@
-#include "bench/report/study_record.h"
+#include "bench/report/study.h"
 
 namespace gibench::report {
 
@@ -14,12 +14,12 @@ const char* to_string(RunStatus status) {
   return "failed";
 }
 
-const MeasuredError* RunRecord::error(const ErrorKey& key) const {
+const MeasuredError* StudyRun::error(const ErrorKey& key) const {
   const auto found = errors.find(key);
   return found == errors.end() ? nullptr : &found->second;
 }
 
-std::optional<double> RunRecord::transport_seconds(const std::string& domain) const {
+std::optional<double> StudyRun::transport_seconds(const std::string& domain) const {
   const auto stage = [this](const std::string& name) -> std::optional<double> {
     const auto found = seconds.find(name);
     return found == seconds.end() ? std::nullopt : std::optional(found->second);
@@ -30,7 +30,7 @@ std::optional<double> RunRecord::transport_seconds(const std::string& domain) co
   return stage("prepare").value_or(0.0) + stage("light").value_or(0.0) + *shade;
 }
 
-std::vector<std::size_t> StudyRecord::runs_of(const std::string& scene) const {
+std::vector<std::size_t> Study::runs_of(const std::string& scene) const {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (runs[i].scene == scene) found.push_back(i);

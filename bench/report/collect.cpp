@@ -1,0 +1,134 @@
+#include "bench/report/collect.h"
+
+#include <algorithm>
+#include <set>
+
+#include "bench/report/json_reading.h"
+#include "common/core/error.h"
+
+namespace gibench::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<RunStatus> status_of(const std::string& text) {
+  for (const RunStatus status :
+       {RunStatus::done, RunStatus::refused, RunStatus::timed_out, RunStatus::crashed, RunStatus::failed, RunStatus::skipped})
+    if (text == to_string(status)) return status;
+  return std::nullopt;
+}
+
+/// A path inside the study folder, or empty for one that leads out of it.
+fs::path inside(const fs::path& folder, const std::string& relative) {
+  const fs::path path(relative);
+  if (relative.empty() || path.is_absolute()) return {};
+  for (const auto& part : path)
+    if (part == "..") return {};
+  return folder / path;
+}
+
+float exposure_of(const Json& scene) {
+  if (const auto value = number_at(scene, "exposure")) return static_cast<float>(*value);
+  return static_cast<float>(number_at(object_at(scene, "exposure"), "value").value_or(0.0));
+}
+
+std::optional<std::string> skip_reason(const Json& scene) {
+  if (const auto why = text_at(scene, "skipped")) return why;
+  const auto found = scene.find("skipped");
+  if (found == scene.end() || !found->is_boolean() || !found->get<bool>()) return std::nullopt;
+  return text_at(scene, "message").value_or("left out");
+}
+
+StudyScene scene_of(const Json& entry, Study& study) {
+  StudyScene scene;
+  scene.name = text_at(entry, "name").value_or("");
+  if (scene.name.empty()) throw InputError((study.folder / "manifest.json").string(), "has a scene without a name");
+  scene.skipped = skip_reason(entry);
+  scene.exposure = exposure_of(entry);
+  scene.facts = facts_of(entry, {"name", "skipped", "exposure", "message"});
+  scene.reference_folder = inside(study.folder, text_at(entry, "reference").value_or("references/" + scene.name));
+  const fs::path file = scene.reference_folder / "reference.json";
+  if (scene.reference_folder.empty() || !fs::exists(file)) return scene;
+  try {
+    scene.reference = facts_of(read_json(file));
+  } catch (const InputError& error) {
+    study.warnings.emplace_back(error.what());
+  }
+  return scene;
+}
+
+StudyRun run_of(const Json& entry, Study& study) {
+  StudyRun run;
+  run.id = text_at(entry, "id").value_or("");
+  run.scene = text_at(entry, "scene").value_or("");
+  run.method = text_at(entry, "method").value_or("");
+  run.label = text_at(entry, "label").value_or(run.id.empty() ? run.method : run.id);
+  run.parameters = facts_of(object_at(entry, "parameters"));
+  run.message = text_at(entry, "message").value_or("");
+  if (const auto code = number_at(entry, "exit_code")) run.exit_code = static_cast<int>(*code);
+  run.wall_seconds = number_at(entry, "wall_seconds");
+  run.peak_bytes = count_at(entry, "peak_bytes");
+  run.folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + run.id));
+
+  const std::string status = text_at(entry, "status").value_or("");
+  if (const auto known = status_of(status)) run.status = *known;
+  else run.message = "unknown status '" + status + "' in the manifest" + (run.message.empty() ? "" : "; " + run.message);
+
+  const fs::path file = run.folder / "result.json";
+  const bool there = !run.folder.empty() && fs::exists(file);
+  if (!there && run.status != RunStatus::done) return run;
+  try {
+    read_result(file, run);
+  } catch (const InputError& error) {
+    study.warnings.push_back("run " + run.id + ": " + error.what());
+    if (run.status == RunStatus::done) {
+      run.status = RunStatus::failed;
+      run.message = std::string("its record cannot be used: ") + error.what();
+    }
+  }
+  return run;
+}
+
+/// Runs name scenes; one that the manifest does not list is listed, so that no result is lost.
+void list_missing_scenes(Study& study) {
+  std::set<std::string> known;
+  for (const StudyScene& scene : study.scenes) known.insert(scene.name);
+  for (const StudyRun& run : study.runs) {
+    if (!known.insert(run.scene).second) continue;
+    StudyScene scene;
+    scene.name = run.scene;
+    scene.reference_folder = inside(study.folder, "references/" + run.scene);
+    study.scenes.push_back(std::move(scene));
+    study.warnings.push_back("run " + run.id + ": its scene '" + run.scene + "' is not in the manifest's list");
+  }
+}
+
+}  // namespace
+
+Study collect_study(const fs::path& folder) {
+  const fs::path file = folder / "manifest.json";
+  const std::string mend = "give the folder that `gibench study STUDY.json --out DIR` wrote";
+  if (!fs::is_directory(folder)) throw InputError(folder.string(), "is not a folder", mend);
+  if (!fs::exists(file)) throw InputError(folder.string(), "holds no manifest.json, so it is no study", mend);
+  const Json manifest = read_json(file);
+  if (!manifest.is_object() || count_at(manifest, "gibench_study") != std::uint64_t{1})
+    throw InputError(file.string(), "is no study manifest of version 1 (\"gibench_study\": 1)", mend);
+
+  Study study;
+  study.folder = folder;
+  study.name = text_at(manifest, "name").value_or(folder.filename().string());
+  study.version = text_at(manifest, "version").value_or("");
+  study.commit = text_at(manifest, "commit").value_or("");
+  study.created = text_at(manifest, "created").value_or("");
+  study.machine = facts_of(object_at(manifest, "machine"));
+  study.settings =
+      facts_of(manifest, {"gibench_study", "name", "version", "commit", "created", "machine", "scenes", "runs", "study"});
+  const Json no_entries = Json::array();
+  for (const Json& scene : manifest.value("scenes", no_entries))
+    study.scenes.push_back(scene_of(scene.is_string() ? Json{{"name", scene}} : scene, study));
+  for (const Json& run : manifest.value("runs", no_entries)) study.runs.push_back(run_of(run, study));
+  list_missing_scenes(study);
+  return study;
+}
+
+}  // namespace gibench::report
