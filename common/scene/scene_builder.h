@@ -1,0 +1,53 @@
+/// Puts a scene's geometry together in double precision and recentres it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/scene/scene.h"
+
+namespace gibench {
+
+/// Vertices (metres, file coordinates) and faces that index into them.
+struct ObjectGeometry {
+  std::vector<Vec3d> vertices;
+  std::vector<Face> faces;
+
+  /// Adds other geometry behind this.
+  void append(const ObjectGeometry& other);
+};
+
+/// Used once a scene: objects first, then finish_geometry(), then everything that needs to_local().
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(Scene& scene) : scene_(scene) {}
+
+  Scene& scene() { return scene_; }
+  const Scene& scene() const { return scene_; }
+
+  /// Adds an object; its name, material, two_sided and group are set, its ranges are filled here. Vertices that no
+  /// face uses are left out. Throws InputError at `place` for a vertex that is not finite.
+  void add_object(Object object, ObjectGeometry geometry, const std::string& place);
+
+  /// Takes the centre of the bounding box off every vertex, rounds to float and tessellates. Throws InputError at
+  /// `place` for a scene without faces, or one too large for single precision.
+  void finish_geometry(const std::string& place);
+
+  /// A point of the file in the scene's coordinates; after finish_geometry().
+  Vec3 to_local(const Vec3d& point) const { return Vec3(point - scene_.origin); }
+
+ private:
+  Scene& scene_;
+  std::vector<Vec3d> vertices_;
+};
+
+/// `name`, or the first of name#2, name#3, … that `is_taken` does not have.
+template <class IsTaken>
+std::string unique_name(const std::string& name, const IsTaken& is_taken) {
+  std::string candidate = name;
+  for (int i = 2; is_taken(candidate); ++i) candidate = name + "#" + std::to_string(i);
+  return candidate;
+}
+
+}  // namespace gibench

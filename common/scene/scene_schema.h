@@ -1,0 +1,19 @@
+/// The written-down form of scene files: scenes/scene.schema.json, part of the program.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "common/scene/json_place.h"
+
+namespace gibench {
+
+/// The text of scenes/scene.schema.json (JSON Schema draft 7) as it was when the program was built.
+const char* scene_schema_text();
+
+/// Validates `value` against one of the schema's definitions ("light", "material", …), or against the whole
+/// schema where `definition` is empty. Throws InputError for the first violation: `place` and the path from
+/// there, what is wrong, and what belongs there in the schema's own words.
+void check_against_schema(const nlohmann::json& value, const std::string& definition, const JsonPlace& place);
+
+}  // namespace gibench
