@@ -9,9 +9,9 @@ namespace gibench::micro {
 
 namespace {
 
-template <int width>
+template <std::size_t width>
 using HitPacket = std::conditional_t<width == 8, RTCRayHit8, RTCRayHit16>;
-template <int width>
+template <std::size_t width>
 using RayPacket = std::conditional_t<width == 8, RTCRay8, RTCRay16>;
 
 void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit8* query) {
@@ -101,7 +101,7 @@ std::uint64_t BareEmbree::occlusions(std::span<const Ray> rays) const {
   return sum;
 }
 
-template <int width>
+template <std::size_t width>
 std::uint64_t BareEmbree::closest_hits_in_packets(std::span<const Ray> rays) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -114,13 +114,13 @@ std::uint64_t BareEmbree::closest_hits_in_packets(std::span<const Ray> rays) con
     std::fill_n(query.hit.geomID, width, RTC_INVALID_GEOMETRY_ID);
     std::fill_n(query.hit.instID[0], width, RTC_INVALID_GEOMETRY_ID);
     intersect(valid, impl_->scene, &context, &query);
-    for (int i = 0; i < width; ++i)
+    for (std::size_t i = 0; i < width; ++i)
       if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) sum += query.hit.primID[i] + 1U;
   }
   return sum;
 }
 
-template <int width>
+template <std::size_t width>
 std::uint64_t BareEmbree::occlusions_in_packets(std::span<const Ray> rays) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -131,7 +131,7 @@ std::uint64_t BareEmbree::occlusions_in_packets(std::span<const Ray> rays) const
     RayPacket<width> query;
     load_packet(query, rays.data() + first, width);
     occlude(valid, impl_->scene, &context, &query);
-    for (int i = 0; i < width; ++i) sum += query.tfar[i] < 0.0F ? 1U : 0U;
+    for (std::size_t i = 0; i < width; ++i) sum += query.tfar[i] < 0.0F ? 1U : 0U;
   }
   return sum;
 }

@@ -23,9 +23,9 @@ class BareEmbree {
   /// The same for occlusion; gives the number of rays that something stops.
   std::uint64_t occlusions(std::span<const Ray> rays) const;
   /// In packets of 8 or 16 rays, a whole number of packets.
-  template <int width>
+  template <std::size_t width>
   std::uint64_t closest_hits_in_packets(std::span<const Ray> rays) const;
-  template <int width>
+  template <std::size_t width>
   std::uint64_t occlusions_in_packets(std::span<const Ray> rays) const;
 
  private:

@@ -20,13 +20,11 @@ std::vector<Ray> incoherent_rays(const World& world, std::size_t count, std::uin
 /// Traces these rays and gives a checksum of what they met.
 using TraceRays = std::function<std::uint64_t(std::span<const Ray>)>;
 
-/// Every iteration traces one block of the rays with both on `threads` threads, in the order A B B A. Counters:
-/// `ratio_name` is the median over iterations of the measured rays per second over the yardstick's, `rays_per_second`
-/// and `yardstick_rays_per_second` are totals. Ends with an error where the checksums differ by more than 1e-3.
+/// Every iteration traces one block of the rays with both on `threads` threads, in the order A B B A or B A A B.
+/// Times are CPU seconds inside the loops, summed over threads. Counters: `ratio_name` is the median over iterations of
+/// the measured rays per CPU second over the yardstick's; `rays_per_cpu_second` and `yardstick_rays_per_cpu_second` are
+/// totals. Ends with an error where the checksums differ by more than 1e-3.
 void race(benchmark::State& state, const char* ratio_name, const TraceRays& measured, const TraceRays& yardstick,
           std::span<const Ray> rays, int threads);
-
-/// Seconds of one call, wall clock.
-double seconds_of(const std::function<void()>& work);
 
 }  // namespace gibench::micro

@@ -16,14 +16,13 @@ namespace {
 
 constexpr std::size_t packet = 8;  // rays that Embree traces together on AVX2
 
-RTCRayHit to_embree(const Ray& ray) {
-  RTCRayHit query{};
-  query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
-  query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
-  query.ray.tnear = ray.t_min, query.ray.tfar = ray.t_max;
-  query.ray.mask = ~0U;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  return query;
+/// Writes what Embree reads: nothing is cleared that Embree writes itself.
+void load_ray(RTCRay& query, const Ray& ray) {
+  query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
+  query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
+  query.tnear = ray.t_min, query.tfar = ray.t_max;
+  query.time = 0.0F;
+  query.mask = ~0U, query.id = 0, query.flags = 0;
 }
 
 void load_packet(RTCRay8& query, std::span<const Ray> rays, int (&valid)[packet]) {
@@ -102,7 +101,10 @@ RayBackend::RayBackend(RayBackend&&) noexcept = default;
 std::size_t RayBackend::bytes() const { return static_cast<std::size_t>(std::max<std::int64_t>(0, impl_->bytes.load())); }
 
 Hit RayBackend::closest_hit(const Ray& ray) const {
-  alignas(16) RTCRayHit query = to_embree(ray);
+  alignas(16) RTCRayHit query;
+  load_ray(query.ray, ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(impl_->scene, &context, &query);
@@ -111,7 +113,8 @@ Hit RayBackend::closest_hit(const Ray& ray) const {
 }
 
 bool RayBackend::occluded(const Ray& ray) const {
-  alignas(16) RTCRay query = to_embree(ray).ray;
+  alignas(16) RTCRay query;
+  load_ray(query, ray);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(impl_->scene, &context, &query);
