@@ -1,0 +1,54 @@
+#include "common/metrics/intervals.h"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "common/core/error.h"
+#include "common/core/parallel.h"
+
+namespace gibench {
+
+namespace {
+
+double mean_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+double standard_error(std::span<const double> influences) {
+  GIBENCH_CHECK(influences.size() >= 2, "an interval needs two replicates");
+  const double mean = mean_of(influences), count = static_cast<double>(influences.size());
+  double squares = 0.0;
+  for (const double influence : influences) squares += (influence - mean) * (influence - mean);
+  return std::sqrt(squares / (count * (count - 1.0)));
+}
+
+Interval student_interval(double value, std::span<const double> influences) {
+  const boost::math::students_t distribution(static_cast<double>(influences.size()) - 1.0);
+  const double reach = boost::math::quantile(distribution, 0.975) * standard_error(influences);
+  return {value - reach, value + reach};
+}
+
+std::vector<double> slope_influences(std::span<const Rgb> slope, const Replicas& reference, std::span<const Rgb> mean) {
+  GIBENCH_CHECK(slope.size() == reference.size() && mean.size() == reference.size(), "one slope for each value");
+  std::vector<double> influences(reference.count());
+  parallel_chunks(0, influences.size(), 1, [&](const ChunkRange& range) {
+    const std::vector<Rgb>& replica = reference.replicas[range.chunk];
+    RgbDouble sum;
+    for (std::size_t i = 0; i < slope.size(); ++i) sum += RgbDouble(slope[i] * (replica[i] - mean[i]));
+    influences[range.chunk] = (sum.r + sum.g + sum.b) / (3.0 * static_cast<double>(slope.size()));
+  });
+  return influences;
+}
+
+std::vector<double> delete_one_influences(std::span<const double> values_without) {
+  GIBENCH_CHECK(values_without.size() >= 2, "an interval needs two replicates");
+  const double mean = mean_of(values_without), others = static_cast<double>(values_without.size()) - 1.0;
+  std::vector<double> influences;
+  for (const double value : values_without) influences.push_back(others * (mean - value));
+  return influences;
+}
+
+}  // namespace gibench

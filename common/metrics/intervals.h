@@ -1,0 +1,39 @@
+/// 95% intervals over the replicates of a reference.
+///
+/// A metric T is a function of the replicates r_1 … r_R, which are independent and alike. Its interval is Student's,
+/// T ± t(0.975, R−1) s, with s² = Σ d_k² / (R (R−1)), where d_k is the influence of replicate k: d_k = ∇T · (r_k − r̄)
+/// at the mean r̄ (the infinitesimal jackknife), or (R−1) (T̄₍₋₎ − T₍₋ₖ₎) from the values without replicate k (the
+/// delete-one jackknife), which are the same to first order.
+///
+/// For the squared error T = ⟨x−A, x−B⟩ of the halves A and B this is not only asymptotic. With e = x − μ and replicate
+/// covariance Σ, Var T = 4 e'Σe/R + 4 tr Σ²/R². The delete-one jackknife of T itself counts the second term twice, as
+/// it is degenerate in each half, and has but R−2 degrees of freedom. The influence d_k = −2 ⟨r_k − r̄, x − r̄⟩ has for
+/// normal replicates E[s²] = (4/R) E[⟨r_k − r̄, x − r̄⟩²] R/(R−1) = 4 e'Σe/R + 4 tr Σ²/R²: the variance of T exactly,
+/// from R−1 degrees of freedom, for every even R.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/core/rgb.h"
+#include "common/metrics/replicas.h"
+
+namespace gibench {
+
+struct Interval {
+  double low = 0.0, high = 0.0;
+};
+
+/// value ± t(0.975, R−1) s from the influences of R ≥ 2 replicates, whose mean is taken off.
+Interval student_interval(double value, std::span<const double> influences);
+
+/// Standard error s of the same.
+double standard_error(std::span<const double> influences);
+
+/// d_k of a metric whose derivative by reference value i and its channel is slope[i] / (3 n), at the mean of the replicates.
+std::vector<double> slope_influences(std::span<const Rgb> slope, const Replicas& reference, std::span<const Rgb> mean);
+
+/// d_k from the values of a metric without replicate (or group) k.
+std::vector<double> delete_one_influences(std::span<const double> values_without);
+
+}  // namespace gibench
