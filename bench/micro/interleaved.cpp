@@ -56,16 +56,17 @@ bool agree(const Run& a, const Run& b) {
 
 }  // namespace
 
-std::vector<Ray> incoherent_rays(const World& world, std::size_t count, std::uint64_t seed, float length) {
-  std::vector<SurfaceSample> samples = area_uniform_samples(world, count, seed);
+std::vector<Ray> cosine_rays(const World& world, const RaySet& set) {
+  std::vector<SurfaceSample> samples = area_uniform_samples(world, set.count / set.rays_per_point, set.seed);
   for (std::size_t i = samples.size(); i > 1; --i)
-    std::swap(samples[i - 1], samples[RandomStream(seed, shuffle_stage, i).next_bits() % i]);
+    std::swap(samples[i - 1], samples[RandomStream(set.seed, shuffle_stage, i).next_bits() % i]);
   std::vector<Ray> rays;
-  rays.reserve(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    RandomStream random(seed, direction_stage, i);
+  rays.reserve(set.count);
+  for (std::size_t i = 0; i < samples.size() * set.rays_per_point; ++i) {
+    const SurfaceSample& from = samples[i / set.rays_per_point];
+    RandomStream random(set.seed, direction_stage, i);
     const float first = random.next_float(), second = random.next_float();
-    rays.push_back({world.ray_origin(samples[i]), 0.0F, cosine_direction(samples[i].normal, first, second), length});
+    rays.push_back({world.ray_origin(from), 0.0F, cosine_direction(from.normal, first, second), set.length});
   }
   return rays;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,14 @@
 
 namespace gibench::micro {
 
-/// Rays from area-uniform points of the surfaces, cosine-distributed, in random order: as incoherent as the rays
-/// of a path tracer. Each reaches `length` metres; infinity where the closest hit is asked for.
-std::vector<Ray> incoherent_rays(const World& world, std::size_t count, std::uint64_t seed, float length);
+/// Rays from area-uniform points of the surfaces in random order, cosine-distributed in no order.
+struct RaySet {
+  std::size_t count = 1U << 19;
+  std::size_t rays_per_point = 1;  ///< 1: as incoherent as a path tracer's; 256: a gather's
+  float length = std::numeric_limits<float>::infinity();
+  std::uint64_t seed = 1;
+};
+std::vector<Ray> cosine_rays(const World& world, const RaySet& set);
 
 /// Traces these rays and gives a checksum of what they met.
 using TraceRays = std::function<std::uint64_t(std::span<const Ray>)>;

@@ -2,7 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <limits>
+#include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/micro/bare_embree.h"
@@ -14,22 +16,25 @@
 namespace gibench::micro {
 namespace {
 
-constexpr std::size_t ray_count = 1U << 19;
-constexpr std::size_t batch = 256;  // rays handed to the backend at once
+constexpr std::size_t batch = 256;    // rays handed to the backend at once, and rays of a gather
+constexpr float short_length = 0.3F;  // of occlusion rays: about half of them are stopped
 
-/// A scene with its rays: made once, at the first benchmark that asks for it.
+/// A scene with its rays.
 struct Arena {
   World world;
   BareEmbree bare;
-  std::vector<Ray> rays, short_rays;  ///< to the closest hit; as far as a tenth of the room: about half are stopped
+  std::vector<Ray> rays, short_rays, gathers, short_gathers;
 
   explicit Arena(Scene scene)
       : world(std::move(scene)),
         bare(world.scene()),
-        rays(incoherent_rays(world, ray_count, 1, std::numeric_limits<float>::infinity())),
-        short_rays(incoherent_rays(world, ray_count, 2, 0.3F)) {}
+        rays(cosine_rays(world, {})),
+        short_rays(cosine_rays(world, {.length = short_length, .seed = 2})),
+        gathers(cosine_rays(world, {.rays_per_point = batch, .seed = 3})),
+        short_gathers(cosine_rays(world, {.rays_per_point = batch, .length = short_length, .seed = 4})) {}
 };
 
+/// Made once, at the first benchmark that asks for it.
 const Arena& arena(bool many) {
   static const Arena spheres(bumpy_spheres()), box(test::box_scene());
   return many ? spheres : box;
@@ -78,47 +83,59 @@ std::uint64_t occlusions_batched(const World& world, std::span<const Ray> rays) 
   return sum;
 }
 
-using Measured = std::uint64_t (*)(const World&, std::span<const Ray>);
-using Bare = std::uint64_t (BareEmbree::*)(std::span<const Ray>) const;
+/// One line of the table.
+struct Case {
+  std::string name;
+  std::string ratio;  ///< name of the counter
+  std::function<std::uint64_t(const Arena&, std::span<const Ray>)> measured;
+  std::uint64_t (BareEmbree::*bare)(std::span<const Ray>) const;
+  std::vector<Ray> Arena::*rays;
+};
 
-void measure(benchmark::State& state, Measured measured, Bare bare, bool occlusion, bool many, int threads) {
-  const Arena& in = arena(many);
-  race(
-      state, "backend_over_bare", [&](std::span<const Ray> rays) { return measured(in.world, rays); },
-      [&](std::span<const Ray> rays) { return (in.bare.*bare)(rays); }, occlusion ? in.short_rays : in.rays, threads);
+std::vector<Case> cases() {
+  const auto backend = [](std::uint64_t (*trace)(const World&, std::span<const Ray>)) {
+    return [=](const Arena& in, std::span<const Ray> rays) { return trace(in.world, rays); };
+  };
+  const auto packets = [](std::uint64_t (BareEmbree::*trace)(std::span<const Ray>) const) {
+    return [=](const Arena& in, std::span<const Ray> rays) { return (in.bare.*trace)(rays); };
+  };
+  const auto hits = &BareEmbree::closest_hits, occlusions = &BareEmbree::occlusions;
+  const std::string ratio = "backend_over_bare", bare_ratio = "packets_over_bare";
+  std::vector<Case> all;
+  for (const bool gather : {false, true}) {
+    const std::string suffix = gather ? "_gather" : "";
+    const auto rays = gather ? &Arena::gathers : &Arena::rays;
+    const auto short_rays = gather ? &Arena::short_gathers : &Arena::short_rays;
+    all.push_back({"closest_hit" + suffix, ratio, backend(hits_one_by_one), hits, rays});
+    all.push_back({"closest_hits_batched" + suffix, ratio, backend(hits_batched), hits, rays});
+    all.push_back({"occluded" + suffix, ratio, backend(occlusions_one_by_one), occlusions, short_rays});
+    all.push_back({"occlusions_batched" + suffix, ratio, backend(occlusions_batched), occlusions, short_rays});
+    all.push_back({"bare_closest_hits_8" + suffix, bare_ratio, packets(&BareEmbree::closest_hits_in_packets<8>), hits, rays});
+    all.push_back({"bare_closest_hits_16" + suffix, bare_ratio, packets(&BareEmbree::closest_hits_in_packets<16>), hits, rays});
+    all.push_back(
+        {"bare_occlusions_8" + suffix, bare_ratio, packets(&BareEmbree::occlusions_in_packets<8>), occlusions, short_rays});
+    all.push_back(
+        {"bare_occlusions_16" + suffix, bare_ratio, packets(&BareEmbree::occlusions_in_packets<16>), occlusions, short_rays});
+  }
+  return all;
 }
 
-/// Bare packets against the bare loop: what packets themselves are worth on these rays.
-void measure_packets(benchmark::State& state, Bare packets, Bare bare, bool occlusion, bool many, int threads) {
+void measure(benchmark::State& state, const Case& one, bool many, int threads) {
   const Arena& in = arena(many);
   race(
-      state, "packets_over_bare", [&](std::span<const Ray> rays) { return (in.bare.*packets)(rays); },
-      [&](std::span<const Ray> rays) { return (in.bare.*bare)(rays); }, occlusion ? in.short_rays : in.rays, threads);
-}
-
-void add(const std::string& name, const std::function<void(benchmark::State&)>& body) {
-  benchmark::RegisterBenchmark(name.c_str(), body)->UseManualTime()->Unit(benchmark::kMillisecond);
+      state, one.ratio.c_str(), [&](std::span<const Ray> rays) { return one.measured(in, rays); },
+      [&](std::span<const Ray> rays) { return (in.bare.*one.bare)(rays); }, in.*one.rays, threads);
 }
 
 const bool registered = [] {
   for (const bool many : {true, false})
-    for (const int threads : {1, 2}) {
-      const std::string in = std::string(many ? "/spheres" : "/box") + "/threads:" + std::to_string(threads);
-      const auto versus_bare = [&](const std::string& name, Measured measured, Bare bare, bool occlusion) {
-        add(name + in, [=](benchmark::State& state) { measure(state, measured, bare, occlusion, many, threads); });
-      };
-      versus_bare("closest_hit", hits_one_by_one, &BareEmbree::closest_hits, false);
-      versus_bare("closest_hits_batched", hits_batched, &BareEmbree::closest_hits, false);
-      versus_bare("occluded", occlusions_one_by_one, &BareEmbree::occlusions, true);
-      versus_bare("occlusions_batched", occlusions_batched, &BareEmbree::occlusions, true);
-      const auto packets = [&](const std::string& name, Bare measured, Bare bare, bool occlusion) {
-        add(name + in, [=](benchmark::State& state) { measure_packets(state, measured, bare, occlusion, many, threads); });
-      };
-      packets("bare_closest_hits_8", &BareEmbree::closest_hits_in_packets<8>, &BareEmbree::closest_hits, false);
-      packets("bare_closest_hits_16", &BareEmbree::closest_hits_in_packets<16>, &BareEmbree::closest_hits, false);
-      packets("bare_occlusions_8", &BareEmbree::occlusions_in_packets<8>, &BareEmbree::occlusions, true);
-      packets("bare_occlusions_16", &BareEmbree::occlusions_in_packets<16>, &BareEmbree::occlusions, true);
-    }
+    for (const int threads : {1, 2})
+      for (const Case& one : cases()) {
+        const std::string name = one.name + (many ? "/spheres" : "/box") + "/threads:" + std::to_string(threads);
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { measure(state, one, many, threads); })
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond);
+      }
   return true;
 }();
 
