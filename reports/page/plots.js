@@ -1,0 +1,119 @@
+// From the study to complete Vega-Lite specifications: used by the page and by render.mjs, so that both draw the same.
+"use strict";
+(function (gibench) {
+  const font = "'Liberation Sans', 'DejaVu Sans', Arial, Helvetica, sans-serif";
+  const config = {
+    background: "#ffffff",
+    font,
+    view: { stroke: "#c8c8c8" },
+    axis: {
+      labelFontSize: 12, titleFontSize: 12.5, titleFontWeight: "bold", titleColor: "#222222", labelColor: "#222222",
+      gridColor: "#e6e6e6", domainColor: "#777777", tickColor: "#777777", titlePadding: 8,
+    },
+    legend: {
+      labelFontSize: 12, titleFontSize: 12.5, labelColor: "#222222", titleColor: "#222222", orient: "top", symbolSize: 90,
+      symbolStrokeWidth: 1.8, columns: 4, labelLimit: 220,
+    },
+  };
+
+  // Replaces every string "$name" of a template by values.name.
+  function fill(template, values) {
+    if (typeof template === "string" && template.startsWith("$") && template.slice(1) in values) return values[template.slice(1)];
+    if (Array.isArray(template)) return template.map((item) => fill(item, values));
+    if (template === null || typeof template !== "object") return template;
+    return Object.fromEntries(Object.entries(template).map(([name, item]) => [name, fill(item, values)]));
+  }
+
+  // The range of positive numbers with a margin; at least a factor of three wide, so that a log axis has ticks.
+  function logDomain(numbers, margin) {
+    const positive = numbers.filter((n) => n > 0 && isFinite(n));
+    if (positive.length === 0) return [0.1, 10];
+    let low = Math.min(...positive) / margin, high = Math.max(...positive) * margin;
+    while (high / low < 12) { low /= 1.2; high *= 1.2; }
+    return [low, high];
+  }
+
+  function linearDomain(numbers) {
+    const finite = numbers.filter(isFinite);
+    if (finite.length === 0) return [0, 1];
+    const low = Math.min(...finite), high = Math.max(...finite);
+    const margin = 0.08 * (high - low || Math.abs(high) || 1);
+    return [low - margin, high + margin];
+  }
+
+  // Only the methods that have a point: a legend entry without a mark misleads.
+  function styles(study, used) {
+    const methods = study.methods.filter((method) => used.has(method.name));
+    return {
+      methods: methods.map((m) => m.name),
+      colours: methods.map((m) => m.colour),
+      shapes: methods.map((m) => m.shape),
+      dashes: methods.map((m) => (m.dash.length ? m.dash : [1, 0])),
+    };
+  }
+
+  function seconds(value) {
+    if (value < 1e-3) return `${+(value * 1e6).toPrecision(3)} µs`;
+    return value < 1 ? `${+(value * 1e3).toPrecision(3)} ms` : `${+value.toPrecision(3)} s`;
+  }
+
+  // The points of one scene for one error; `left_out` counts runs that a log axis cannot show.
+  function errorPoints(study, scene, key) {
+    const domain = study.keys[key].domain, metric = study.metrics[study.keys[key].metric];
+    const points = [];
+    let leftOut = 0;
+    for (const index of scene.runs) {
+      const run = study.runs[index], error = run.errors[key], time = run.time[domain];
+      if (!error || time === undefined || run.status !== "done") continue;
+      if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
+      const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
+      points.push({
+        run: run.label, method: run.method, seconds: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
+        floor: error.floor ?? null,
+        low: error.low === undefined ? null : Math.max(error.low, smallest), high: error.high ?? null,
+      });
+    }
+    return { points, leftOut };
+  }
+
+  function errorPlot(study, templates, scene, key, width) {
+    const { points } = errorPoints(study, scene, key);
+    const entry = study.keys[key], metric = study.metrics[entry.metric];
+    const values = points.flatMap((p) => [p.error, p.high ?? p.error, Math.max(p.low ?? p.error, metric.logarithmic ? p.error / 3 : -Infinity)]);
+    const floors = points.map((p) => p.floor).filter((floor) => floor > 0);
+    const floor = floors.length ? Math.max(...floors) : null;
+    const domain = metric.logarithmic ? logDomain(values, 1.35) : linearDomain(values);
+    return fill(templates["error-against-time"], {
+      width, config, runs: points, ...styles(study, new Set(points.map((p) => p.method))),
+      floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "below the reference's noise floor" }] : [],
+      timeTitle: `Time (s): prepare + light + shade${entry.domain === "image" ? " the image" : " the samples"}`,
+      timeDomain: logDomain(points.map((p) => p.seconds), 1.6),
+      errorTitle: entry.axis, errorScale: metric.logarithmic ? "log" : "linear", errorDomain: domain,
+      errorFormat: metric.percent ? "~%" : "~g",
+    });
+  }
+
+  function rankingPlot(study, templates, key, width) {
+    const points = study.rankings[key].points.map((p) => ({ ...p, where: p.scene || "geometric mean" }));
+    return fill(templates.ranking, {
+      width, config, points, ...styles(study, new Set(points.map((p) => p.method))),
+      order: [...new Set(points.map((p) => p.run))], factorDomain: logDomain(points.map((p) => p.factor).concat([1]), 1.5),
+    });
+  }
+
+  function stagesPlot(study, templates, scene, domain, width) {
+    const stages = [], totals = [];
+    for (const index of scene.runs) {
+      const run = study.runs[index], total = run.time[domain];
+      if (run.status !== "done" || !(total > 0)) continue;
+      const shade = run.seconds[`shade_${domain}`] ?? run.seconds.shade;
+      [["prepare", run.seconds.prepare], ["light", run.seconds.light], ["shade", shade]].forEach(([stage, value], rank) => {
+        if (value > 0) stages.push({ run: run.label, stage, rank, share: value / total, time: seconds(value) });
+      });
+      totals.push({ run: run.label, time: seconds(total) });
+    }
+    return fill(templates.stages, { width, config, stages, totals, order: totals.map((t) => t.run) });
+  }
+
+  gibench.plotting = { errorPlot, errorPoints, rankingPlot, stagesPlot };
+})(globalThis.gibench ?? (globalThis.gibench = {}));
