@@ -51,7 +51,9 @@ std::string known_names(const ParameterSchema& schema) {
 Parameters::Parameters(const ParameterSchema& schema, const std::vector<std::pair<std::string, std::string>>& settings,
                        const std::string& place) {
   for (const ParameterSpec& spec : schema) values_[spec.name] = spec.default_value;
-  for (const auto& [name, text] : settings) {
+  for (const auto& setting : settings) {
+    const auto& name = setting.first;
+    const auto& text = setting.second;
     const auto spec = std::find_if(schema.begin(), schema.end(), [&](const ParameterSpec& s) { return s.name == name; });
     if (spec == schema.end()) throw InputError(place, fmt::format("unknown parameter '{}'", name), known_names(schema));
     if (!parse_value(*spec, text, values_[name]))

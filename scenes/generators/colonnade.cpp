@@ -94,7 +94,7 @@ void build_figures(Writer& writer) {
   for (int i = 0; i < figures; ++i) {
     const std::string number = std::to_string(i + 1), model = "colonnade-figure-" + number;
     const double x = -0.5 * length + spacing * (i + 1), z = i % 2 == 0 ? -1.15 : 1.15;
-    writer.model(model, figure(static_cast<std::uint64_t>(i + 1)));
+    writer.model(model, figure(static_cast<std::uint64_t>(i) + 1));
     writer.place("pedestal " + number, "colonnade-pedestal", "limestone", {x, 0.0, z});
     writer.place("figure " + number, model, i == 2 ? "bronze" : "marble", {x, pedestal_height - 0.005, z}, -70.0 + 20.0 * i);
   }
