@@ -1,0 +1,187 @@
+#include "common/geometry/poisson_disc.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "common/core/error.h"
+#include "common/core/parallel.h"
+#include "common/core/random.h"
+
+namespace gibench {
+
+namespace {
+
+constexpr std::uint64_t stage_key = 0x706f6973736f6eULL;
+constexpr std::size_t smallest_batch = 1024, largest_batch = 32768;  // darts
+constexpr std::size_t chunk = 512;                                   // darts
+constexpr std::uint32_t none = 0xffffffffU;
+
+}  // namespace
+
+/// Chained hash grid of cells twice the radius wide: a disc reaches into at most eight of them. Cells that
+/// share a bucket are told apart by the distance test itself.
+struct PoissonDisc::Grid {
+  Vec3 origin;
+  float radius, cells_per_metre;
+  std::vector<std::uint32_t> heads;  ///< first point of each bucket
+  std::vector<std::uint32_t> next;   ///< one a point
+
+  Grid(const Vec3& low, float disc_radius, const std::vector<DiscPoint>& points)
+      : origin(low), radius(disc_radius), cells_per_metre(0.5F / disc_radius) {
+    resize(points);
+  }
+
+  std::size_t bucket(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    const std::uint32_t hash = static_cast<std::uint32_t>(x) * 0x8da6b343U ^ static_cast<std::uint32_t>(y) * 0xd8163841U ^
+                               static_cast<std::uint32_t>(z) * 0xcb1ab31fU;
+    return (hash ^ (hash >> 15)) & (heads.size() - 1);
+  }
+  Vec3 cell_coordinates(const Vec3& position) const { return (position - origin) * cells_per_metre; }
+
+  void insert(const std::vector<DiscPoint>& points, std::uint32_t index) {
+    const Vec3 cell = glm::floor(cell_coordinates(points[index].position));
+    std::uint32_t& head =
+        heads[bucket(static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y), static_cast<std::int32_t>(cell.z))];
+    next.push_back(head);
+    head = index;
+  }
+
+  void resize(const std::vector<DiscPoint>& points) {
+    heads.assign(std::bit_ceil(std::max<std::size_t>(64, points.size())), none);
+    next.clear();
+    for (std::uint32_t i = 0; i < points.size(); ++i) insert(points, i);
+  }
+};
+
+PoissonDisc::PoissonDisc(const World& world, std::vector<SurfaceSide> sides, PoissonDiscOptions options)
+    : world_(world), sides_(std::move(sides)), options_(std::move(options)) {
+  std::erase_if(sides_, [&](const SurfaceSide& side) { return !(world_.area(side.triangle) > 0.0F); });
+  for (const SurfaceSide& side : sides_) area_ += static_cast<double>(world_.area(side.triangle));
+  build_alias_table();
+}
+
+/// Vose's alias method: a side by its area in constant time.
+void PoissonDisc::build_alias_table() {
+  const std::size_t count = sides_.size();
+  alias_.resize(count);
+  std::vector<double> share(count);
+  std::vector<std::uint32_t> small, large;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    share[i] = static_cast<double>(world_.area(sides_[i].triangle)) * static_cast<double>(count) / area_;
+    (share[i] < 1.0 ? small : large).push_back(i);
+  }
+  while (!small.empty() && !large.empty()) {
+    const std::uint32_t poor = small.back(), rich = large.back();
+    small.pop_back();
+    alias_[poor] = {static_cast<float>(share[poor]), rich};
+    share[rich] -= 1.0 - share[poor];
+    if (share[rich] < 1.0) {
+      large.pop_back();
+      small.push_back(rich);
+    }
+  }
+  for (std::uint32_t i : small) alias_[i] = {1.0F, i};
+  for (std::uint32_t i : large) alias_[i] = {1.0F, i};
+}
+
+DiscPoint PoissonDisc::propose(std::uint64_t number) const {
+  RandomStream random(options_.seed, stage_key, number);
+  const double slot = random.next_double() * static_cast<double>(alias_.size());
+  std::size_t index = std::min(static_cast<std::size_t>(slot), alias_.size() - 1);
+  if (random.next_float() >= alias_[index].threshold) index = alias_[index].other;
+  const float root = std::sqrt(random.next_float());
+  const float second = random.next_float();
+  const SurfaceSide& side = sides_[index];
+  const Vec3& normal = world_.normal(side.triangle);
+  return {world_.position(side.triangle, {root * (1.0F - second), root * second}), side.front ? normal : -normal, side};
+}
+
+bool PoissonDisc::conflicts(const DiscPoint& point, const Grid& grid) const {
+  const Vec3 coordinates = grid.cell_coordinates(point.position);
+  const Vec3 home = glm::floor(coordinates);
+  const Vec3 inside = coordinates - home;
+  const std::int32_t cell[3] = {static_cast<std::int32_t>(home.x), static_cast<std::int32_t>(home.y),
+                                static_cast<std::int32_t>(home.z)};
+  const std::int32_t step[3] = {inside.x < 0.5F ? -1 : 1, inside.y < 0.5F ? -1 : 1, inside.z < 0.5F ? -1 : 1};
+  const float radius_squared = grid.radius * grid.radius;
+  for (int corner = 0; corner < 8; ++corner) {
+    const std::size_t bucket =
+        grid.bucket(cell[0] + ((corner & 1) != 0 ? step[0] : 0), cell[1] + ((corner & 2) != 0 ? step[1] : 0),
+                    cell[2] + ((corner & 4) != 0 ? step[2] : 0));
+    for (std::uint32_t i = grid.heads[bucket]; i != none; i = grid.next[i]) {
+      const Vec3 apart = kept_[i].position - point.position;
+      const float distance_squared = glm::dot(apart, apart);
+      if (distance_squared >= radius_squared) continue;
+      const float cosine = glm::dot(kept_[i].normal, point.normal);
+      if (cosine > 0.0F && distance_squared < radius_squared * cosine * cosine) return true;
+    }
+  }
+  return false;
+}
+
+/// Throws a batch and marks the darts that no sample kept so far and no test turns down.
+void PoissonDisc::test_batch(std::vector<DiscPoint>& darts, std::vector<std::uint8_t>& alive, const Grid& grid) const {
+  parallel_chunks(options_.threads, darts.size(), chunk, [&](const ChunkRange& range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      darts[i] = propose(proposals_ + i);
+      alive[i] = conflicts(darts[i], grid) ? 0 : 1;
+    }
+  });
+  if (!options_.test) return;
+  std::vector<DiscPoint> survivors;
+  for (std::size_t i = 0; i < darts.size(); ++i)
+    if (alive[i] != 0) survivors.push_back(darts[i]);
+  std::vector<std::uint8_t> keep(survivors.size(), 1);
+  options_.test(survivors, keep);
+  for (std::size_t i = 0, survivor = 0; i < darts.size(); ++i)
+    if (alive[i] != 0) alive[i] = keep[survivor++];
+}
+
+std::vector<DiscPoint> PoissonDisc::add_level(float radius) {
+  GIBENCH_CHECK(radius > 0.0F, "a disc has a positive radius");
+  const std::size_t first = kept_.size();
+  if (sides_.empty()) return {};
+  Grid grid(world_.bounds_min(), radius, kept_);
+  std::vector<DiscPoint> darts;
+  std::vector<std::uint8_t> alive;
+  int failed_in_a_row = 0;
+  while (failed_in_a_row < options_.failures && !(options_.cancelled && options_.cancelled())) {
+    darts.resize(std::clamp(std::bit_ceil(kept_.size() / 2), smallest_batch, largest_batch));
+    alive.resize(darts.size());
+    test_batch(darts, alive, grid);
+    const std::size_t kept_before = kept_.size();
+    std::size_t i = 0;
+    for (; i < darts.size() && failed_in_a_row < options_.failures; ++i) {
+      // Only samples of this batch are news to a dart that is still alive.
+      if (alive[i] == 0 || (kept_.size() > kept_before && conflicts(darts[i], grid))) {
+        ++failed_in_a_row;
+        continue;
+      }
+      failed_in_a_row = 0;
+      kept_.push_back(darts[i]);
+      grid.insert(kept_, static_cast<std::uint32_t>(kept_.size() - 1));
+    }
+    proposals_ += i;
+    if (kept_.size() > grid.heads.size()) grid.resize(kept_);
+  }
+  return {kept_.begin() + static_cast<std::ptrdiff_t>(first), kept_.end()};
+}
+
+std::vector<SurfaceSide> lit_sides(const World& world, std::span<const std::uint8_t> wanted) {
+  const Scene& scene = world.scene();
+  GIBENCH_CHECK(wanted.size() == scene.objects.size(), "one entry for each object");
+  std::vector<SurfaceSide> sides;
+  for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
+    if (wanted[object] == 0) continue;
+    const Object& o = scene.objects[object];
+    for (std::uint32_t triangle = o.triangle_begin; triangle < o.triangle_end; ++triangle) {
+      sides.push_back({triangle, true});
+      if (o.two_sided) sides.push_back({triangle, false});
+    }
+  }
+  return sides;
+}
+
+}  // namespace gibench

@@ -1,0 +1,117 @@
+#include "methods/meshless/gather.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/random.h"
+#include "methods/meshless/surface_point.h"
+
+namespace gibench::meshless {
+
+namespace {
+
+constexpr std::uint64_t turn_stage = 0x7475726eULL;
+constexpr std::uint64_t direct_stage = 0x6869742064697265ULL;
+
+/// The radical inverse in base 2.
+float reversed_bits(std::uint32_t i) {
+  i = (i << 16) | (i >> 16);
+  i = ((i & 0x00ff00ffU) << 8) | ((i & 0xff00ff00U) >> 8);
+  i = ((i & 0x0f0f0f0fU) << 4) | ((i & 0xf0f0f0f0U) >> 4);
+  i = ((i & 0x33333333U) << 2) | ((i & 0xccccccccU) >> 2);
+  i = ((i & 0x55555555U) << 1) | ((i & 0xaaaaaaaaU) >> 1);
+  return static_cast<float>(i) * 0x1p-32F;
+}
+
+/// The concentric map of the unit square onto the unit disc (Shirley and Chiu 1997); keeps strata compact.
+Vec2 to_disc(float u, float v) {
+  const float x = 2.0F * u - 1.0F, y = 2.0F * v - 1.0F;
+  if (x == 0.0F && y == 0.0F) return {0.0F, 0.0F};
+  const bool flat = std::fabs(x) > std::fabs(y);
+  const float radius = flat ? x : y;
+  const float angle = flat ? 0.25F * pi * (y / x) : 0.5F * pi - 0.25F * pi * (x / y);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Interleaves the bits of the cell of a 256 × 256 grid over the disc.
+std::uint32_t morton_number(const Vec3& direction) {
+  const auto spread = [](float x) {
+    auto bits = static_cast<std::uint32_t>(std::clamp(0.5F * (x + 1.0F), 0.0F, 1.0F) * 255.0F);
+    bits = (bits | (bits << 4)) & 0x0f0fU;
+    bits = (bits | (bits << 2)) & 0x3333U;
+    return (bits | (bits << 1)) & 0x5555U;
+  };
+  return spread(direction.x) | spread(direction.y) << 1;
+}
+
+}  // namespace
+
+void BasisSender::irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t, RayStream&,
+                             std::span<Rgb> values, std::uint64_t& levels_used) const {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const SurfaceSample& hit = hits[i];
+    values[i] = expansion_.evaluate_seen({hit.position, hit.normal, groups_.of_triangle[hit.triangle]}, receiver, epsilon_omega_,
+                                         levels_used);
+  }
+}
+
+void DirectSender::irradiance(std::span<const SurfaceSample> hits, const Vec3&, std::uint64_t key, RayStream& rays,
+                              std::span<Rgb> values, std::uint64_t&) const {
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    values[i] = light_.irradiance(hits[i], mix_keys(key, direct_stage, i), samples_, rays);
+}
+
+Gatherer::Gatherer(const World& world, int rays) : world_(world) {
+  for (int i = 0; i < rays; ++i) {
+    const Vec2 at =
+        to_disc((static_cast<float>(i) + 0.5F) / static_cast<float>(rays), reversed_bits(static_cast<std::uint32_t>(i)));
+    pattern_.push_back({at.x, at.y, std::sqrt(std::max(0.0F, 1.0F - at.x * at.x - at.y * at.y))});
+  }
+  std::stable_sort(pattern_.begin(), pattern_.end(),
+                   [](const Vec3& a, const Vec3& b) { return morton_number(a) < morton_number(b); });
+}
+
+void Gatherer::trace(const SurfaceSample& receiver, std::uint64_t key, RayStream& rays, GatherBuffers& buffers) const {
+  const Vec3 origin = world_.ray_origin(receiver);
+  const Frame frame = frame_along_edge(world_, receiver.triangle, receiver.normal);
+  const float angle = 2.0F * pi * RandomStream(key, turn_stage, 0).next_float();
+  const Vec3 tangent = std::cos(angle) * frame.tangent + std::sin(angle) * frame.bitangent;
+  const Vec3 bitangent = glm::cross(receiver.normal, tangent);
+  buffers.rays.resize(pattern_.size());
+  buffers.hits.resize(pattern_.size());
+  for (std::size_t i = 0; i < pattern_.size(); ++i) {
+    const Vec3& local = pattern_[i];
+    buffers.rays[i].origin = origin;
+    buffers.rays[i].direction = local.x * tangent + local.y * bitangent + local.z * receiver.normal;
+  }
+  rays.closest_hits(buffers.rays, buffers.hits);
+}
+
+Rgb Gatherer::irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
+                         GatherBuffers& buffers) const {
+  trace(receiver, key, rays, buffers);
+  buffers.lit.clear();
+  buffers.albedos.clear();
+  const Scene& scene = world_.scene();
+  for (std::size_t i = 0; i < buffers.hits.size(); ++i) {
+    const Hit& hit = buffers.hits[i];
+    if (!hit) continue;
+    const Vec3& direction = buffers.rays[i].direction;
+    const Rgb albedo = scene.material_of_triangle(hit.triangle).diffuse;
+    if (is_black(albedo)) continue;
+    const Vec3& front = world_.normal(hit.triangle);
+    const bool on_front = glm::dot(front, direction) <= 0.0F;
+    if (!on_front && !scene.objects[scene.triangle_object[hit.triangle]].two_sided) continue;
+    buffers.lit.push_back(
+        surface_sample(world_, hit.triangle, buffers.rays[i].origin + hit.distance * direction, on_front ? front : -front));
+    buffers.albedos.push_back(albedo);
+  }
+  buffers.values.resize(buffers.lit.size());
+  sender.irradiance(buffers.lit, receiver.position, key, rays, buffers.values, buffers.levels_used);
+  buffers.evaluations += buffers.lit.size();
+  RgbDouble sum;
+  for (std::size_t i = 0; i < buffers.lit.size(); ++i) sum += RgbDouble(buffers.albedos[i] * buffers.values[i]);
+  return Rgb(sum / static_cast<double>(pattern_.size()));
+}
+
+}  // namespace gibench::meshless

@@ -1,0 +1,81 @@
+/// GATHER of Lehtinen et al. 2007, section 6.3: the irradiance at a point from rays into its hemisphere.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/core/rgb.h"
+#include "common/lighting/direct_light.h"
+#include "common/ray/ray_stream.h"
+#include "common/ray/world.h"
+#include "methods/meshless/expansion.h"
+#include "methods/meshless/groups.h"
+
+namespace gibench::meshless {
+
+/// What a gather sees: the irradiance that arrives where its rays hit, before the reflection there.
+class Sender {
+ public:
+  virtual ~Sender() = default;
+  /// Irradiance at each hit, W/m², as seen from `receiver`. `key` fixes random numbers; `levels_used` counts basis levels.
+  virtual void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
+                          std::span<Rgb> values, std::uint64_t& levels_used) const = 0;
+};
+
+/// The previous bounce in the basis, as coarse as the threshold of the solid angle allows.
+class BasisSender : public Sender {
+ public:
+  BasisSender(const Coefficients& coefficients, const Groups& groups, double epsilon_omega)
+      : expansion_(coefficients), groups_(groups), epsilon_omega_(static_cast<float>(epsilon_omega)) {}
+  void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
+                  std::span<Rgb> values, std::uint64_t& levels_used) const override;
+  std::size_t bytes() const { return expansion_.bytes(); }
+
+ private:
+  Expansion expansion_;
+  const Groups& groups_;
+  float epsilon_omega_;
+};
+
+/// Light straight from the lights, evaluated at every hit by the shared evaluator.
+class DirectSender : public Sender {
+ public:
+  DirectSender(const DirectLight& light, int samples) : light_(light), samples_(samples) {}
+  void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
+                  std::span<Rgb> values, std::uint64_t& levels_used) const override;
+
+ private:
+  const DirectLight& light_;
+  int samples_;
+};
+
+/// Rays and buffers of one thread's gathers; made per chunk of a loop.
+struct GatherBuffers {
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
+  std::vector<SurfaceSample> lit;
+  std::vector<Rgb> albedos, values;
+  std::uint64_t levels_used = 0, evaluations = 0;
+};
+
+class Gatherer {
+ public:
+  /// A fixed pattern of `rays` cosine-distributed directions (Hammersley), ordered so that neighbours lie close.
+  Gatherer(const World& world, int rays);
+
+  /// Irradiance at a sample from light reflected by the surfaces that its rays hit, W/m²: Σ albedo · E(hit) / rays.
+  /// The pattern is turned about the normal by an angle drawn from `key`; the albedo is that of the hit itself.
+  Rgb irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
+                 GatherBuffers& buffers) const;
+
+  std::size_t bytes() const { return pattern_.capacity() * sizeof(Vec3); }
+
+ private:
+  void trace(const SurfaceSample& receiver, std::uint64_t key, RayStream& rays, GatherBuffers& buffers) const;
+
+  const World& world_;
+  std::vector<Vec3> pattern_;  ///< local directions, z along the normal
+};
+
+}  // namespace gibench::meshless

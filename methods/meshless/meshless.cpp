@@ -1,0 +1,134 @@
+#include "methods/meshless/meshless.h"
+
+#include <optional>
+
+#include "common/core/error.h"
+#include "methods/meshless/placement.h"
+#include "methods/meshless/settings.h"
+#include "methods/meshless/solver.h"
+
+namespace gibench {
+
+namespace {
+
+using namespace meshless;
+
+constexpr std::size_t shade_chunk = 256;  // samples
+
+class Meshless : public TransportMethod {
+ public:
+  explicit Meshless(const Settings& settings) : settings_(settings) {}
+
+  Capabilities capabilities() const noexcept override {
+    Capabilities can;
+    can.effects = {Effect::direct, Effect::diffuse_indirect, Effect::environment, Effect::occlusion};
+    can.quantities = {Quantity::irradiance, Quantity::radiance};
+    can.direct = settings_.direct == DirectAnswer::basis;
+    can.relights = true;
+    return can;
+  }
+
+  std::optional<std::string> refusal(const Scene& scene) const override {
+    if (scene.triangles.empty()) return "the scene has no surfaces to put basis points on";
+    for (const Triangle& triangle : scene.triangles) {
+      const auto& [a, b, c] = triangle.corners;
+      if (glm::length(glm::cross(Vec3d(scene.vertices[b] - scene.vertices[a]), Vec3d(scene.vertices[c] - scene.vertices[a]))) >
+          0.0)
+        return std::nullopt;
+    }
+    return "every face of the scene has zero area: there is nowhere to put basis points";
+  }
+
+  std::size_t bytes() const override { return transport_.groups.bytes() + transport_.hierarchy.bytes() + solution_.bytes(); }
+
+ private:
+  bool simulates_indirect() const {
+    return plan().simulated.contains(Effect::diffuse_indirect) && plan().max_bounces.value_or(1) > 0;
+  }
+  bool needs_points() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
+
+  void do_prepare(Task& task, StageReport& report) override {
+    solution_ = {};
+    transport_ = {};
+    if (!needs_points()) {
+      report.message = "no diffuse interreflection is called for: no points placed";
+      return;
+    }
+    transport_.groups = make_groups(world(), settings_.grouping);
+    Placement placement = place_points(world(), transport_.groups, settings_, task);
+    task.count("proposals", placement.proposals);
+    transport_.hierarchy = Hierarchy(std::move(placement), transport_.groups.count, settings_, task);
+    task.count("samples", transport_.hierarchy.size());
+    task.count("levels", transport_.hierarchy.levels());
+    if (transport_.hierarchy.levels() > 0) task.count("coarsest_samples", transport_.hierarchy.level_size(0));
+    task.count("groups", transport_.groups.count);
+  }
+
+  void do_light(const Lighting&, Task& task, StageReport& report) override {
+    solution_ = {};
+    if (!needs_points() || (direct_light().dark() && settings_.direct == DirectAnswer::shared)) {
+      report.message = needs_points() ? "no light: nothing to transport" : "nothing to transport";
+      return;
+    }
+    solution_ = solve(world(), transport_, direct_light(), settings_, plan().max_bounces, simulates_indirect(), task);
+    report.termination = solution_.termination;
+    report.message = solution_.message;
+  }
+
+  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    const std::vector<std::uint8_t> clear = clear_samples(request.samples, task);
+    task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const SurfaceSample& sample = request.samples[i];
+        const Rgb direct = clear[i] != 0 ? irradiance(solution_.direct, sample) : Rgb();
+        const Rgb indirect = clear[i] != 0 ? irradiance(solution_.indirect, sample) : Rgb();
+        const bool leaving = request.quantity == Quantity::radiance;
+        const Rgb factor = leaving ? world().scene().material_of_object(sample.object).diffuse / pi : Rgb(1.0F);
+        if (!answer.direct.empty()) answer.direct[i] = direct * factor + (leaving ? direct_light().emission(sample) : Rgb());
+        if (!answer.indirect.empty()) answer.indirect[i] = indirect * factor;
+      }
+    });
+  }
+
+  /// 0 for samples on an unlit side or inside geometry, which no basis point stands for.
+  std::vector<std::uint8_t> clear_samples(std::span<const SurfaceSample> samples, Task& task) const {
+    std::vector<std::uint8_t> clear(samples.size(), 1);
+    if (!solution_.indirect && !solution_.direct) return clear;
+    if (settings_.backface_test) {
+      std::vector<DiscPoint> points;
+      points.reserve(samples.size());
+      for (const SurfaceSample& sample : samples) points.push_back({sample.position, sample.normal, {sample.triangle, true}});
+      clear_of_backfaces(world(), points, clear, settings_.backface_rays, task);
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (!samples[i].lit_side) clear[i] = 0;
+    return clear;
+  }
+
+  /// The expansion at the sample; differences of levels may ring below zero, which no irradiance does.
+  Rgb irradiance(const std::optional<Expansion>& expansion, const SurfaceSample& sample) const {
+    if (!expansion) return {};
+    const Rgb value = expansion->evaluate({sample.position, sample.normal, transport_.groups.of_triangle[sample.triangle]});
+    return {std::max(0.0F, value.r), std::max(0.0F, value.g), std::max(0.0F, value.b)};
+  }
+
+  Settings settings_;
+  Transport transport_;
+  Solution solution_;
+};
+
+}  // namespace
+
+MethodEntry meshless_entry() {
+  return {"meshless",
+          "hierarchical radiosity on scattered points: Shepard multilevel basis, adaptive gathers, Neumann bounces",
+          "Lehtinen, Zwicker, Kontkanen, Turquin, Sillion, Aila: Meshless Finite Elements for Hierarchical Global "
+          "Illumination, TML-B7, Helsinki University of Technology 2007",
+          "C<D>*[<LO>]",
+          settings_schema(),
+          [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
+            return std::make_unique<Meshless>(settings_from(parameters));
+          }};
+}
+
+}  // namespace gibench

@@ -1,0 +1,135 @@
+#include "methods/meshless/placement.h"
+
+#include <cmath>
+
+#include "common/core/random.h"
+#include "methods/meshless/surface_point.h"
+
+namespace gibench::meshless {
+
+namespace {
+
+constexpr std::uint64_t placement_stage = 0x706c616365ULL;
+constexpr std::size_t ray_chunk = 1024;    // rays
+constexpr double expected_density = 0.65;  // samples per squared radius of area, near saturation
+constexpr int radius_rounds = 5;           // at most, to meet the wanted number of coarsest samples
+constexpr double radius_tolerance = 0.03;  // of that number
+constexpr std::uint64_t direction_stage = 0x6261636b73ULL;
+
+bool meets_back(const World& world, const Hit& hit, const Vec3& direction) {
+  return hit && !world.sample_of_hit(hit, direction).lit_side;
+}
+
+/// A cosine-distributed direction in a local frame about +z.
+Vec3 test_direction(int index) {
+  RandomStream random(0, direction_stage, static_cast<std::uint64_t>(index));
+  const float radius = std::sqrt(random.next_float()), angle = 2.0F * pi * random.next_float();
+  const float x = radius * std::cos(angle), y = radius * std::sin(angle);
+  return {x, y, std::sqrt(std::max(0.0F, 1.0F - x * x - y * y))};
+}
+
+std::vector<std::vector<SurfaceSide>> sides_of_groups(const World& world, const Groups& groups) {
+  const std::vector<std::uint8_t> every_object(world.scene().objects.size(), 1);
+  std::vector<std::vector<SurfaceSide>> sides(groups.count);
+  for (const SurfaceSide& side : lit_sides(world, every_object)) sides[groups.of_triangle[side.triangle]].push_back(side);
+  return sides;
+}
+
+/// The samplers of all groups, thrown level by level.
+class GroupSamplers {
+ public:
+  GroupSamplers(const World& world, const std::vector<std::vector<SurfaceSide>>& sides, const Settings& settings, Task& task) {
+    for (std::size_t group = 0; group < sides.size(); ++group) {
+      PoissonDiscOptions options;
+      options.seed = mix_keys(task.seed(), placement_stage, group);
+      options.threads = task.threads();
+      options.failures = settings.failures;
+      options.cancelled = [&task] { return task.cancelled(); };
+      if (settings.backface_test)
+        options.test = [&world, &settings, &task](std::span<const DiscPoint> points, std::span<std::uint8_t> clear) {
+          clear_of_backfaces(world, points, clear, settings.backface_rays, task);
+        };
+      samplers_.emplace_back(world, sides[group], options);
+      area_ += samplers_.back().area();
+    }
+  }
+
+  std::vector<std::vector<DiscPoint>> add_level(double radius) {
+    std::vector<std::vector<DiscPoint>> level;
+    for (PoissonDisc& sampler : samplers_) level.push_back(sampler.add_level(static_cast<float>(radius)));
+    return level;
+  }
+  double area() const { return area_; }
+  std::uint64_t proposals() const {
+    std::uint64_t sum = 0;
+    for (const PoissonDisc& sampler : samplers_) sum += sampler.proposals();
+    return sum;
+  }
+
+ private:
+  std::vector<PoissonDisc> samplers_;
+  double area_ = 0.0;
+};
+
+std::size_t count_of(const std::vector<std::vector<DiscPoint>>& level) {
+  std::size_t count = 0;
+  for (const std::vector<DiscPoint>& group : level) count += group.size();
+  return count;
+}
+
+/// The initial radius: as told, or such that about the wanted number of coarsest samples comes out.
+double initial_radius(const World& world, const std::vector<std::vector<SurfaceSide>>& sides, const Settings& settings,
+                      Task& task) {
+  if (settings.initial_radius > 0.0) return settings.initial_radius * static_cast<double>(world.diagonal());
+  const double wanted = settings.coarsest_samples;
+  double radius = std::sqrt(expected_density * world.total_area() / wanted);
+  for (int round = 0; round < radius_rounds && !task.cancelled(); ++round) {
+    const auto placed = static_cast<double>(count_of(GroupSamplers(world, sides, settings, task).add_level(radius)));
+    if (placed < 1.0 || std::fabs(placed - wanted) <= radius_tolerance * wanted) break;
+    radius *= std::sqrt(placed / wanted);
+  }
+  return radius;
+}
+
+}  // namespace
+
+void clear_of_backfaces(const World& world, std::span<const DiscPoint> points, std::span<std::uint8_t> clear, int rays,
+                        Task& task) {
+  task.parallel_chunks(points.size(), ray_chunk, [&](const ChunkRange& range) {
+    RayStream stream = task.rays(world);
+    const std::size_t count = range.end - range.begin;
+    std::vector<Ray> along(count);
+    std::vector<Hit> hits(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const DiscPoint& point = points[range.begin + i];
+      along[i].origin = world.ray_origin(surface_sample(world, point.side.triangle, point.position, point.normal));
+      along[i].direction = point.normal;
+    }
+    stream.closest_hits(along, hits);
+    for (std::size_t i = 0; i < count; ++i) {
+      bool inside = meets_back(world, hits[i], along[i].direction);
+      const Frame frame = frame_along_edge(world, points[range.begin + i].side.triangle, along[i].direction);
+      for (int ray = 1; inside && ray < rays; ++ray) {
+        const Vec3 direction = frame.to_world(test_direction(ray));
+        inside = meets_back(world, stream.closest_hit({along[i].origin, 0.0F, direction}), direction);
+      }
+      clear[range.begin + i] = inside ? 0 : 1;
+    }
+  });
+}
+
+Placement place_points(const World& world, const Groups& groups, const Settings& settings, Task& task) {
+  const std::vector<std::vector<SurfaceSide>> sides = sides_of_groups(world, groups);
+  Placement placement;
+  placement.radius = initial_radius(world, sides, settings, task);
+  GroupSamplers samplers(world, sides, settings, task);
+  double radius = placement.radius;
+  for (int level = 0; level < settings.levels && !task.cancelled(); ++level, radius *= 0.5) {
+    placement.points.push_back(samplers.add_level(radius));
+    task.progress("place points", 0.7 * (level + 1) / settings.levels);
+  }
+  placement.proposals = samplers.proposals();
+  return placement;
+}
+
+}  // namespace gibench::meshless

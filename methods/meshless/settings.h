@@ -1,0 +1,49 @@
+/// The parameters of meshless hierarchical radiosity, with the names and defaults of Lehtinen et al. 2007.
+#pragma once
+
+#include "common/method/parameters.h"
+
+namespace gibench::meshless {
+
+/// How objects are parted into reconstruction groups, between which no basis function reaches.
+enum class Grouping {
+  objects,     ///< Object::group alone (the paper)
+  components,  ///< its connected components, too
+  automatic,   ///< the components where they are few
+};
+/// What the gathers of the first bounce see at their hits.
+enum class FirstBounce { exact, basis };
+/// Who answers for direct light.
+enum class DirectAnswer { shared, basis };
+
+inline constexpr int most_neighbours = 64;
+
+struct Settings {
+  // Placement (section 6.1).
+  int levels = 6;
+  int coarsest_samples = 310;   ///< wanted on level 0; sets the initial radius
+  double initial_radius = 0.0;  ///< share of the scene's diagonal; 0: from coarsest_samples
+  int failures = 1000;          ///< proposals turned down in a row that end a level
+  bool backface_test = true;
+  int backface_rays = 16;  ///< all must meet backs for a point to count as inside geometry; 1: the paper's test
+  Grouping grouping = Grouping::automatic;
+  // Basis (section 4.2).
+  int neighbours = 10;        ///< k of the nearest-neighbour radius
+  double radius_limit = 4.0;  ///< largest radius of a basis function, in disc radii of its level
+  // Transport (section 6.3).
+  int rays = 512;            ///< of a gather
+  double epsilon_e = 0.0;    ///< receiver threshold, share of the mean irradiance
+  double epsilon_omega = 0;  ///< sender threshold, sr
+  int bounces = 0;           ///< most bounces computed one by one
+  double residual = 0.0;     ///< share of the solution that the bounces left out may hold
+  bool extrapolate = true;   ///< add the geometric tail once the bounces have settled into it
+  FirstBounce first_bounce = FirstBounce::exact;
+  DirectAnswer direct = DirectAnswer::shared;
+  int direct_samples = 1;         ///< light samples at a hit
+  int basis_direct_samples = 16;  ///< light samples at a basis point
+};
+
+ParameterSchema settings_schema();
+Settings settings_from(const Parameters& parameters);
+
+}  // namespace gibench::meshless

@@ -1,0 +1,217 @@
+#include "methods/meshless/solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/core/random.h"
+#include "methods/meshless/surface_point.h"
+
+namespace gibench::meshless {
+
+namespace {
+
+constexpr std::uint64_t gather_stage = 0x676174686572ULL;
+constexpr std::uint64_t direct_stage = 0x64697265637473ULL;
+constexpr std::size_t gather_chunk = 4;    // points
+constexpr std::size_t direct_chunk = 64;   // points
+constexpr double least_ratio_left = 1e-6;  // 1 - ratio of two bounces, below which a tail is not summed
+
+RgbDouble magnitude_mean(const Coefficients& coefficients) {
+  const std::uint32_t count = coefficients.hierarchy().level_size(0);
+  RgbDouble sum;
+  for (std::uint32_t point = 0; point < count; ++point) {
+    const Rgb value = coefficients[point];
+    sum += RgbDouble(std::fabs(value.r), std::fabs(value.g), std::fabs(value.b));
+  }
+  return count > 0 ? sum / static_cast<double>(count) : sum;
+}
+
+/// How far the series has come, from the last two bounces, channel by channel.
+struct Convergence {
+  RgbDouble ratio;         ///< of the last bounce to the one before, area means
+  RgbDouble tail_factor;   ///< Σ of all later bounces over the last one, were the ratio to stay: q / (1 - q)
+  double residual = 0.0;   ///< share of the solution in the bounces left out
+  double departure = 0.0;  ///< share of the solution by which that tail would be wrong
+};
+
+Convergence judge(const Coefficients& last, const Coefficients& before, const Coefficients& sum) {
+  Convergence result;
+  const RgbDouble last_mean = coarsest_mean(last), before_mean = coarsest_mean(before), total = magnitude_mean(sum);
+  const std::uint32_t count = last.hierarchy().level_size(0);
+  for (int channel = 0; channel < 3; ++channel) {
+    if (!(total[channel] > 0.0)) continue;
+    const double ratio = before_mean[channel] > 0.0 ? std::max(0.0, last_mean[channel] / before_mean[channel]) : 0.0;
+    const double factor = ratio / std::max(least_ratio_left, 1.0 - ratio);
+    double departure = 0.0;
+    for (std::uint32_t point = 0; point < count; ++point)
+      departure += std::fabs(static_cast<double>(last[point][channel]) - ratio * static_cast<double>(before[point][channel]));
+    result.ratio[channel] = ratio;
+    result.tail_factor[channel] = factor;
+    result.residual = std::max(result.residual, last_mean[channel] * factor / total[channel]);
+    result.departure = std::max(result.departure, departure / count * factor / total[channel]);
+  }
+  return result;
+}
+
+class Solver {
+ public:
+  Solver(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings, Task& task)
+      : world_(world), transport_(transport), light_(light), settings_(settings), task_(task), gatherer_(world, settings.rays) {}
+
+  Coefficients direct() {
+    const PointValues values = [this](std::span<const std::uint32_t> points, std::span<Rgb> out) { sample_direct(points, out); };
+    return approximate(transport_.hierarchy, values, {settings_.epsilon_e, Rgb()}, task_);
+  }
+
+  Coefficients bounce(const Sender& sender, int number, const Rgb& solution_mean) {
+    const PointValues values = [&](std::span<const std::uint32_t> points, std::span<Rgb> out) {
+      gather(sender, number, points, out);
+    };
+    Coefficients made = approximate(transport_.hierarchy, values, {settings_.epsilon_e, solution_mean}, task_);
+    task_.count("basis_functions", made.size());
+    return made;
+  }
+
+  BasisSender sender_of(const Coefficients& coefficients) const {
+    return BasisSender(coefficients, transport_.groups, settings_.epsilon_omega);
+  }
+  DirectSender direct_sender() const { return DirectSender(light_, settings_.direct_samples); }
+
+ private:
+  SurfaceSample sample(std::uint32_t point) const {
+    const Hierarchy& hierarchy = transport_.hierarchy;
+    const Vec3& front = world_.normal(hierarchy.triangle(point));
+    return surface_sample(world_, hierarchy.triangle(point), hierarchy.position(point),
+                          hierarchy.on_front(point) ? front : -front);
+  }
+
+  void gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Rgb> out) {
+    std::vector<std::uint64_t> levels(chunk_count(points.size(), gather_chunk)), evaluations(levels.size());
+    task_.parallel_chunks(points.size(), gather_chunk, [&](const ChunkRange& range) {
+      RayStream rays = task_.rays(world_);
+      GatherBuffers buffers;
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const std::uint64_t key = mix_keys(mix_keys(task_.seed(), gather_stage), static_cast<std::uint64_t>(number), points[i]);
+        out[i] = gatherer_.irradiance(sample(points[i]), key, sender, rays, buffers);
+      }
+      levels[range.chunk] = buffers.levels_used;
+      evaluations[range.chunk] = buffers.evaluations;
+    });
+    task_.count("samples_gathered", points.size());
+    for (std::uint64_t count : levels) task_.count("sender_levels", count);
+    for (std::uint64_t count : evaluations) task_.count("sender_evaluations", count);
+  }
+
+  void sample_direct(std::span<const std::uint32_t> points, std::span<Rgb> out) {
+    task_.parallel_chunks(points.size(), direct_chunk, [&](const ChunkRange& range) {
+      RayStream rays = task_.rays(world_);
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        out[i] = light_.irradiance(sample(points[i]), mix_keys(task_.seed(), direct_stage, points[i]),
+                                   settings_.basis_direct_samples, rays);
+    });
+    task_.count("direct_samples", points.size());
+  }
+
+  const World& world_;
+  const Transport& transport_;
+  const DirectLight& light_;
+  const Settings& settings_;
+  Task& task_;
+  Gatherer gatherer_;
+};
+
+void add_scaled(Coefficients& sum, const Coefficients& term, const Rgb& factor) {
+  for (std::uint32_t point : term.sorted_points()) sum.add(point, term[point] * factor);
+}
+
+/// The Neumann series after direct light: i_{j+1} = T i_j, b = Σ i_j.
+class Series {
+ public:
+  Series(Solver& solver, const Settings& settings, std::optional<int> max_bounces, Task& task)
+      : solver_(solver), settings_(settings), max_bounces_(max_bounces), task_(task) {}
+
+  void run(const Coefficients* direct, const Hierarchy& hierarchy, Solution& solution) {
+    Coefficients sum(hierarchy);
+    Coefficients last = direct != nullptr ? solver_.bounce(solver_.sender_of(*direct), 1, Rgb())
+                                          : solver_.bounce(solver_.direct_sender(), 1, Rgb());
+    add_scaled(sum, last, Rgb(1.0F));
+    solution.termination = Termination::bound_reached;
+    const int bound = max_bounces_ ? std::min(*max_bounces_, settings_.bounces) : settings_.bounces;
+    task_.progress("bounce 1", 1.0 / bound);
+    Convergence state;
+    for (int number = 2; number <= bound && !task_.cancelled(); ++number) {
+      Coefficients next = solver_.bounce(solver_.sender_of(last), number, Rgb(coarsest_mean(sum)));
+      add_scaled(sum, next, Rgb(1.0F));
+      state = judge(next, last, sum);
+      last = std::move(next);
+      report_progress(number, bound, state.residual);
+      task_.count("bounces", 1);
+      if (converged(state, number, last, sum)) {
+        solution.termination = Termination::converged;
+        break;
+      }
+    }
+    task_.count("bounces", 1);
+    tell(state, bound, solution);
+    task_.count("solution_functions", sum.size());
+    solution.indirect.emplace(sum);
+  }
+
+ private:
+  /// Whether the series may end here; adds the tail where it has settled.
+  bool converged(const Convergence& state, int number, const Coefficients& last, Coefficients& sum) const {
+    if (state.residual < settings_.residual) return true;
+    const bool unbounded = !max_bounces_ && settings_.extrapolate;
+    if (!unbounded || number < 3 || largest(state.ratio) > 1.0 - least_ratio_left || !(state.departure < settings_.residual))
+      return false;
+    add_scaled(sum, last, Rgb(state.tail_factor));
+    return true;
+  }
+
+  void report_progress(int number, int bound, double residual) {
+    const double by_bound = static_cast<double>(number) / bound;
+    const double by_residual = residual > 0.0 ? std::log(std::min(1.0, residual)) / std::log(settings_.residual) : 1.0;
+    task_.progress(fmt::format("bounce {}", number), std::clamp(std::max(by_bound, by_residual), 0.0, 1.0), residual);
+  }
+
+  void tell(const Convergence& state, int bound, Solution& solution) const {
+    if (solution.termination != Termination::bound_reached) return;
+    if (max_bounces_ && *max_bounces_ <= settings_.bounces) {
+      solution.message = fmt::format("all {} bounces of the plan computed", bound);
+    } else if (largest(state.ratio) > 1.0 - least_ratio_left) {
+      solution.termination = Termination::not_converged;
+      solution.message = fmt::format("the bounces do not fade (ratio {:.6f}): the scene absorbs no light", largest(state.ratio));
+    } else {
+      solution.message =
+          fmt::format("{} bounces computed, relative residual {:.2e}; raise the parameter bounces", bound, state.residual);
+    }
+  }
+
+  Solver& solver_;
+  const Settings& settings_;
+  std::optional<int> max_bounces_;
+  Task& task_;
+};
+
+}  // namespace
+
+Solution solve(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings,
+               std::optional<int> max_bounces, bool indirect, Task& task) {
+  Solution solution;
+  Solver solver(world, transport, light, settings, task);
+  std::optional<Coefficients> direct;
+  if (settings.direct == DirectAnswer::basis || (indirect && settings.first_bounce == FirstBounce::basis)) {
+    direct.emplace(solver.direct());
+    task.progress("direct light", 0.1);
+  }
+  if (settings.direct == DirectAnswer::basis) solution.direct.emplace(*direct);
+  if (indirect && !task.cancelled())
+    Series(solver, settings, max_bounces, task)
+        .run(settings.first_bounce == FirstBounce::basis ? &*direct : nullptr, transport.hierarchy, solution);
+  return solution;
+}
+
+}  // namespace gibench::meshless

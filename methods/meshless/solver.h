@@ -1,0 +1,38 @@
+/// The progressive radiosity solver: b = T b + e by its Neumann series, bounce by bounce (Lehtinen et al. 2007,
+/// section 6.3).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/lighting/direct_light.h"
+#include "common/method/task.h"
+#include "methods/meshless/coefficients.h"
+#include "methods/meshless/gather.h"
+#include "methods/meshless/refinement.h"
+#include "methods/meshless/settings.h"
+
+namespace gibench::meshless {
+
+/// What the geometry alone decides; prepare() makes it, every light() uses it.
+struct Transport {
+  Groups groups;
+  Hierarchy hierarchy;
+};
+
+struct Solution {
+  Termination termination = Termination::done;
+  std::string message;
+  std::optional<Expansion> indirect;  ///< Σ of the bounces, irradiance in W/m²; empty: none
+  std::optional<Expansion> direct;    ///< only where direct light is answered from the basis
+  std::size_t bytes() const { return (indirect ? indirect->bytes() : 0) + (direct ? direct->bytes() : 0); }
+};
+
+/// Solves for the irradiance on the surfaces. At most `max_bounces` reflections between a light and the surface
+/// asked about where that is given. Ends when the bounces left out hold less than settings.residual of the solution,
+/// judged from the ratio of the last two; counts basis functions, gathers and evaluations in the task.
+Solution solve(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings,
+               std::optional<int> max_bounces, bool indirect, Task& task);
+
+}  // namespace gibench::meshless
