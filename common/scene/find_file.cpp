@@ -1,7 +1,6 @@
 #include "common/scene/find_file.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -44,16 +43,6 @@ fs::path find_file(const fs::path& file, const fs::path& folder, const std::stri
   }
   throw InputError(place, "there is no file " + in_quotes(file.string()) + " in " + searched,
                    "correct the name, or add the folder that has it to GIBENCH_PATH");
-}
-
-std::string read_text_file(const fs::path& file, const std::string& place) {
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code unknown_size;
-  const auto size = fs::file_size(file, unknown_size);
-  std::string text(unknown_size ? 0 : size, '\0');
-  if (!stream || unknown_size || !stream.read(text.data(), static_cast<std::streamsize>(size)))
-    throw InputError(place, "the file " + in_quotes(file.string()) + " cannot be read", "check its permissions");
-  return text;
 }
 
 }  // namespace gibench

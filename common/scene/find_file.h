@@ -10,7 +10,4 @@ namespace gibench {
 /// (separated by colons). Throws InputError at `place` with the folders searched.
 std::filesystem::path find_file(const std::filesystem::path& file, const std::filesystem::path& folder, const std::string& place);
 
-/// The bytes of a file. Throws InputError at `place` where it cannot be read.
-std::string read_text_file(const std::filesystem::path& file, const std::string& place);
-
 }  // namespace gibench

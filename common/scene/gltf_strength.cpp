@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/scene/find_file.h"
+#include "common/core/atomic_file.h"
 
 namespace gibench {
 
@@ -25,7 +25,7 @@ std::string_view json_part(const std::string& bytes) {
 
 std::vector<float> gltf_emissive_strengths(const std::filesystem::path& file) {
   using nlohmann::json;
-  const std::string bytes = read_text_file(file, file.string());
+  const std::string bytes = read_file(file);
   const json document = json::parse(json_part(bytes), nullptr, /*allow_exceptions=*/false);
   std::vector<float> strengths;
   if (!document.is_object() || !document.contains("materials")) return strengths;

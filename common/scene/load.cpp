@@ -1,8 +1,10 @@
 #include "common/scene/load.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
+#include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/scene/find_file.h"
 #include "common/scene/json_text.h"
@@ -36,7 +38,13 @@ void read_document(const json& document, const JsonPlace& top, const fs::path& f
   for (const auto& [name, material] : part_or(document, "materials", no_object).items())
     scene.materials.push_back(read_material(material, name, top["materials"][name]));
   const json& objects = document["objects"];
-  for (std::size_t i = 0; i < objects.size(); ++i) read_object(objects[i], top["objects"][i], folder, builder);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const JsonPlace place = top["objects"][i];
+    if (const auto name = objects[i]["name"].get<std::string>(); !names.insert(name).second)
+      throw InputError(place["name"].text(), "there are two objects named " + in_quotes(name), "rename one of them");
+    read_object(objects[i], place, folder, builder);
+  }
   builder.finish_geometry(top["objects"].text());
 
   const json& lights = part_or(document, "lights", no_list);
@@ -56,26 +64,21 @@ void place_light(Light& light, const Vec3& position) {
 /// One object for each material of each node of the model.
 void add_model_objects(ModelFile& model, const std::string& place, SceneBuilder& builder) {
   Scene& scene = builder.scene();
-  constexpr auto absent = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> material_index(model.materials.size(), absent);
+  UniqueNames object_names, material_names;
+  std::vector<std::optional<std::uint32_t>> material_index(model.materials.size());
   for (ModelPart& part : model.parts) {
-    ModelMaterial& source = model.materials[part.material];
-    std::uint32_t& index = material_index[part.material];
-    if (index == absent) {
-      index = static_cast<std::uint32_t>(scene.materials.size());
-      source.material.name = unique_name(source.material.name, [&](const std::string& name) {
-        return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
-      });
-      scene.materials.push_back(source.material);
-    }
-    Object object;
-    const std::string node = part.name.empty() ? scene.name : part.name;
+    const ModelMaterial& source = model.materials[part.material];
     const std::string& material = source.material.name;
-    object.name =
-        unique_name(node == material || material == "default" ? node : node + "/" + material, [&](const std::string& name) {
-          return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& o) { return o.name == name; });
-        });
-    object.material = index;
+    std::optional<std::uint32_t>& index = material_index[part.material];
+    if (!index) {
+      index = static_cast<std::uint32_t>(scene.materials.size());
+      scene.materials.push_back(source.material);
+      scene.materials.back().name = material_names.take(material);
+    }
+    const std::string node = part.name.empty() ? scene.name : part.name;
+    Object object;
+    object.name = object_names.take(node == material || material == "default" ? node : node + "/" + material);
+    object.material = *index;
     object.two_sided = source.two_sided;
     builder.add_object(std::move(object), std::move(part.geometry), place);
   }
@@ -106,7 +109,7 @@ Scene load_model_scene(const fs::path& file) {
 Scene parse_scene(const std::string& json_text, const std::string& place, const fs::path& folder) {
   const json document = parse_json(json_text, place);
   const JsonPlace top(place);
-  check_against_schema(document, "", top);
+  check_against_scene_schema(document, "", top);
   Scene scene;
   scene.name = document.value("name", name_of_file(place));
   read_document(document, top, folder, scene);
@@ -117,7 +120,7 @@ Scene load_scene(const fs::path& path) {
   const fs::path file = find_file(path, ".", path.string());
   Scene scene;
   if (file.extension() == ".json") {
-    scene = parse_scene(read_text_file(file, file.string()), file.string(), file.parent_path());
+    scene = parse_scene(read_file(file), file.string(), file.parent_path());
   } else if (is_model_name(file)) {
     scene = load_model_scene(file);
   } else {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/core/atomic_file.h"
 #include "common/core/error.h"
-#include "common/scene/find_file.h"
 #include "common/scene/names.h"
 
 namespace gibench {
@@ -146,7 +146,7 @@ ModelFiles::ModelFiles(const std::filesystem::path& file, const std::string& pla
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const bool is_obj = extension == ".obj", is_stl = extension == ".stl", is_ply = extension == ".ply";
   if (!is_obj && !is_stl && !is_ply) return;
-  const std::string text = read_text_file(file, place);
+  const std::string text = read_file(file);
   if (is_obj) check_obj_end(text, name_, place);
   if (is_ply) check_ply_lines(text, name_, place);
   if (is_ply || (is_stl && !text.starts_with("solid"))) return;

@@ -47,4 +47,10 @@ std::string known_names(std::string_view kind, std::string_view unknown, const s
   return text;
 }
 
+std::string UniqueNames::take(const std::string& name) {
+  const auto [found, is_new] = times_taken_.try_emplace(name, 1);
+  if (is_new) return name;
+  return take(fmt::format("{}#{}", name, ++found->second));
+}
+
 }  // namespace gibench

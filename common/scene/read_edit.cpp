@@ -65,7 +65,7 @@ class EditReader {
     if (edit.contains("file")) light.erase("radiance");
     light.update(edit);
     light.erase("light");
-    check_against_schema(light, "light", place);
+    check_against_scene_schema(light, "light", place);
     return {index, read_light(light, place, folder_, builder_)};
   }
 

@@ -54,6 +54,12 @@ std::uint32_t find_material(const Scene& scene, const std::string& name, const J
   throw InputError(place.text(), "there is no material " + in_quotes(name), known_names("materials", name, names));
 }
 
+void check_name_is_new(const Scene& scene, const std::string& name, const JsonPlace& place) {
+  for (const Object& object : scene.objects)
+    if (object.name == name)
+      throw InputError(place["name"].text(), "there are two objects named " + in_quotes(name), "rename one of them");
+}
+
 void read_file_object(const json& value, Object object, const JsonPlace& place, const std::filesystem::path& folder,
                       SceneBuilder& builder) {
   const JsonPlace file_place = place["file"];
@@ -72,15 +78,15 @@ void read_file_object(const json& value, Object object, const JsonPlace& place, 
     by_material[own_materials ? part.material : 0].append(part.geometry);
   }
   if (!own_materials) return builder.add_object(std::move(object), std::move(by_material[0]), file_place.text());
+  UniqueNames names;
+  for (const Material& material : scene.materials) names.take(material.name);
   for (std::size_t m = 0; m < by_material.size(); ++m) {
     if (by_material[m].faces.empty()) continue;
     Material material = model.materials[m].material;
-    material.name = unique_name(object.name + "/" + material.name, [&](const std::string& name) {
-      return std::any_of(scene.materials.begin(), scene.materials.end(),
-                         [&](const Material& other) { return other.name == name; });
-    });
+    material.name = names.take(object.name + "/" + material.name);
     Object part = object;
     part.name = material.name;
+    check_name_is_new(scene, part.name, place);
     part.material = static_cast<std::uint32_t>(scene.materials.size());
     part.two_sided = value.value("two_sided", model.materials[m].two_sided);
     scene.materials.push_back(std::move(material));
@@ -100,8 +106,7 @@ void read_object(const json& value, const JsonPlace& place, const std::filesyste
   object.name = value["name"].get<std::string>();
   object.two_sided = value.value("two_sided", false);
   object.group = value.value("group", std::string());
-  if (has_object(builder.scene(), object.name))
-    throw InputError(place["name"].text(), "there are two objects named " + in_quotes(object.name), "rename one of them");
+  check_name_is_new(builder.scene(), object.name, place);
   if (const auto material = value.find("material"); material != value.end())
     object.material = find_material(builder.scene(), material->get<std::string>(), place["material"]);
   if (value.contains("file")) return read_file_object(value, std::move(object), place, folder, builder);

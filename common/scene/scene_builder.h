@@ -42,12 +42,4 @@ class SceneBuilder {
   std::vector<Vec3d> vertices_;
 };
 
-/// `name`, or the first of name#2, name#3, … that `is_taken` does not have.
-template <class IsTaken>
-std::string unique_name(const std::string& name, const IsTaken& is_taken) {
-  std::string candidate = name;
-  for (int i = 2; is_taken(candidate); ++i) candidate = name + "#" + std::to_string(i);
-  return candidate;
-}
-
 }  // namespace gibench

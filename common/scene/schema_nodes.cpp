@@ -88,14 +88,15 @@ std::string broken_value_rule(const json& node, const json& value) {
   return value.is_number() ? broken_bound(node, value) : broken_length(node, value);
 }
 
-std::string description_of(const SchemaNodes& nodes) {
+/// What the schema says that belongs there.
+std::string mend_of(const SchemaNodes& nodes) {
   for (const json* node : nodes)
-    if (const auto description = node->find("description"); description != node->end()) return description->get<std::string>();
+    if (const auto description = node->find("description"); description != node->end())
+      return "give " + description->get<std::string>();
   return {};
 }
 
-std::optional<std::pair<std::string, std::string>> broken_key_rule(const json& root, const SchemaNodes& nodes,
-                                                                   const json& value) {
+std::optional<BrokenRule> broken_key_rule(const json& root, const SchemaNodes& nodes, const json& value) {
   for (const json* node : nodes) {
     if (const auto others = node->find("additionalProperties"); others == node->end() || *others != json(false)) continue;
     const json& known = node->at("properties");
@@ -103,7 +104,7 @@ std::optional<std::pair<std::string, std::string>> broken_key_rule(const json& r
       if (known.contains(key)) continue;
       std::vector<std::string> names;
       for (const auto& [name, schema] : known.items()) names.push_back(name);
-      return {{"unknown key " + in_quotes(key), known_names("known keys", key, names)}};
+      return BrokenRule{"unknown key " + in_quotes(key), known_names("known keys", key, names)};
     }
   }
   for (const json* node : nodes) {
@@ -111,8 +112,7 @@ std::optional<std::pair<std::string, std::string>> broken_key_rule(const json& r
     if (required == node->end()) continue;
     for (const json& key : *required)
       if (const auto name = key.get<std::string>(); !value.contains(name))
-        return {{"the key " + in_quotes(name) + " is missing",
-                 "give " + description_of(nodes_of_element(root, nodes, name, json()))}};
+        return BrokenRule{"the key " + in_quotes(name) + " is missing", mend_of(nodes_of_element(root, nodes, name, json()))};
   }
   return std::nullopt;
 }
@@ -142,10 +142,9 @@ SchemaNodes nodes_of_element(const json& root, const SchemaNodes& nodes, const s
   return found;
 }
 
-std::optional<std::pair<std::string, std::string>> broken_rule(const json& root, const SchemaNodes& nodes, const json& value) {
+std::optional<BrokenRule> broken_rule(const json& root, const SchemaNodes& nodes, const json& value) {
   for (const json* node : nodes)
-    if (const std::string problem = broken_value_rule(*node, value); !problem.empty())
-      return {{problem, "give " + description_of(nodes)}};
+    if (const std::string problem = broken_value_rule(*node, value); !problem.empty()) return BrokenRule{problem, mend_of(nodes)};
   return value.is_object() ? broken_key_rule(root, nodes, value) : std::nullopt;
 }
 

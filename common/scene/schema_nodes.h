@@ -4,7 +4,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace gibench {
@@ -20,9 +19,12 @@ SchemaNodes applicable_nodes(const nlohmann::json& root, const nlohmann::json& s
 SchemaNodes nodes_of_element(const nlohmann::json& root, const SchemaNodes& nodes, const std::string& key,
                              const nlohmann::json& element);
 
-/// What is wrong with a value itself (not with its elements): the problem and the mend.
-std::optional<std::pair<std::string, std::string>> broken_rule(const nlohmann::json& root, const SchemaNodes& nodes,
-                                                               const nlohmann::json& value);
+/// What is wrong, and what to write instead (empty where the schema does not say).
+struct BrokenRule {
+  std::string problem, mend;
+};
+/// The first rule that a value itself breaks (its elements are left alone).
+std::optional<BrokenRule> broken_rule(const nlohmann::json& root, const SchemaNodes& nodes, const nlohmann::json& value);
 
 /// Whether a value is valid under a schema that needs no definitions of others.
 bool holds(const nlohmann::json& schema, const nlohmann::json& value);
