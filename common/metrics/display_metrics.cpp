@@ -10,7 +10,7 @@ namespace gibench {
 
 namespace {
 
-constexpr int window_radius = 5;
+constexpr int window_radius = ssim_window / 2;
 constexpr float c1 = 0.01F * 0.01F, c2 = 0.03F * 0.03F;
 
 Plane luma(int width, int height, std::span<const Rgb> display) {
@@ -45,7 +45,7 @@ double psnr(std::span<const Rgb> display, std::span<const Rgb> display_reference
 
 std::optional<double> ssim(int width, int height, std::span<const Rgb> display, std::span<const Rgb> display_reference) {
   GIBENCH_CHECK(display.size() == display_reference.size(), "one reference pixel for each pixel");
-  if (std::min(width, height) < 2 * window_radius + 1) return std::nullopt;
+  if (std::min(width, height) < ssim_window) return std::nullopt;
   const Plane x = luma(width, height, display), y = luma(width, height, display_reference);
   const Plane mean_x = windowed_mean(x), mean_y = windowed_mean(y);
   const Plane mean_xx = windowed_mean(product(x, x)), mean_yy = windowed_mean(product(y, y)),

@@ -16,20 +16,27 @@ namespace gibench {
 
 struct ErrorValue {
   double value = 0.0;
-  double low = 0.0, high = 0.0;       ///< 95% interval over the reference replicates (jackknife, Student t)
+  double low = 0.0, high = 0.0;       ///< 95% interval over the reference replicates (jackknife, Student t; see intervals.h)
   std::optional<double> noise_floor;  ///< in the metric's unit: what the reference's own noise would give
-  bool below_noise_floor = false;     ///< then `value` says no more than that it is small
+  bool below_noise_floor = false;     ///< then `value` says no more than that the error is small
 };
 using ErrorTable = std::map<std::string, ErrorValue>;
 
-/// rmse, relative_rmse (rmse over the mean of r), bias, rel_mse(0.01), rel_mse_trim(0.1%), mape(0.01), smape(0.02), max.
-/// Channels are averaged. Needs two replicates at least.
+/// rmse, relative_rmse (rmse over the mean of r), bias, rel_mse(0.01), rel_mse_trim(0.1%), mape(0.01), smape(0.02), max:
+/// see value_metrics.h. Channels are averaged. Needs two replicates at least; values and replicates are finite. What the
+/// squared errors are over two halves is unbiased, also where the error is smaller than the reference's noise (a
+/// negative estimate is given as 0); the others are against the mean of all replicates, whose noise they contain: the
+/// low end of their interval allows for it. relative_rmse and bias are absent where the mean of r is not positive.
 ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference);
 
-/// value_errors of the pixels, and psnr, ssim, flip at the exposure's value and hdr_flip over its range.
+/// value_errors of the pixels, and psnr, ssim, flip at the exposure's value and hdr_flip over its range (picture_errors.h).
 ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference, const Exposure& exposure);
 
-/// An exposure for a scene that stores none: from the luminance of the reference image.
+/// The metrics of value_errors against a reference that is taken as exact.
+std::map<std::string, double> exact_value_errors(std::span<const Rgb> values, std::span<const Rgb> reference);
+
+/// An exposure for a scene that stores none, from the luminance of the reference image: the geometric mean of the pixels
+/// that are not black is shown as 0.18 (Reinhard et al. 2002), the range is that of HDR-FLIP (automatic_exposures).
 Exposure automatic_exposure(std::span<const Rgb> pixels);
 
 }  // namespace gibench

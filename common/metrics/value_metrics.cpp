@@ -84,6 +84,12 @@ std::vector<std::uint8_t> kept_by_trimming(std::span<const Rgb> values, std::spa
 
 }  // namespace
 
+std::vector<Rgb> values_with_noise_only(const ReferenceMeans& reference) {
+  std::vector<Rgb> values(reference.mean.begin(), reference.mean.end());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += 0.5F * (reference.half_a[i] - reference.half_b[i]);
+  return values;
+}
+
 MetricEstimate mean_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
   return mean_of_terms(values, reference, [](std::size_t, double x, double r, double a, double b) {
     return Term{(x - a) * (x - b), -2.0 * (x - r)};

@@ -18,6 +18,10 @@ struct ReferenceMeans {
   static ReferenceMeans exact(std::span<const Rgb> values) { return {values, values, values}; }
 };
 
+/// mean + (A−B)/2: values whose one error is as large as the noise of the mean and distributed alike. What a metric gives
+/// for them against the mean is its noise floor; for the squared error that is ¼ mean (A−B)².
+std::vector<Rgb> values_with_noise_only(const ReferenceMeans& reference);
+
 struct MetricEstimate {
   double value = 0.0;
   std::vector<Rgb> slope;  ///< 3 n ∂value/∂r at every value and channel

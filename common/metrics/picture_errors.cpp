@@ -1,0 +1,147 @@
+#include "common/metrics/picture_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "common/core/error.h"
+#include "common/image/tone_mapping.h"
+#include "common/metrics/display_metrics.h"
+#include "common/metrics/hdr_flip.h"
+#include "common/metrics/value_metrics.h"
+
+namespace gibench {
+
+namespace {
+
+/// A picture and what it is held against: the mean of the reference, and the means without each group of replicates, from
+/// which the interval comes. `noisy` is held against the mean for the noise floor.
+struct Pictures {
+  std::vector<Rgb> test, mean, noisy;
+  std::vector<std::vector<Rgb>> without;
+};
+constexpr std::size_t most_groups = 8;
+
+Pictures pictures_of(std::span<const Rgb> pixels, const Replicas& reference) {
+  const std::vector<Rgb> half_a = reference.half(0), half_b = reference.half(1);
+  Pictures pictures{{pixels.begin(), pixels.end()}, reference.mean(), {}, {}};
+  pictures.noisy = values_with_noise_only({pictures.mean, half_a, half_b});
+  const std::size_t groups = std::min(reference.count(), most_groups);
+  for (std::size_t group = 0; group < groups; ++group) pictures.without.push_back(reference.mean_without(group, groups));
+  return pictures;
+}
+
+Pictures displayed(const Pictures& pictures, float exposure) {
+  Pictures shown{display_values(pictures.test, exposure),
+                 display_values(pictures.mean, exposure),
+                 display_values(pictures.noisy, exposure),
+                 {}};
+  for (const std::vector<Rgb>& picture : pictures.without) shown.without.push_back(display_values(picture, exposure));
+  return shown;
+}
+
+/// A metric's value, what the reference's own noise gives, and the interval of the value.
+struct Measured {
+  double value, noise;
+  Interval interval;
+};
+
+Measured measured(double value, double noise, const std::vector<double>& without) {
+  return {value, noise, student_interval(value, delete_one_influences(without))};
+}
+
+template <class Metric>
+Measured measured(const Pictures& shown, const Metric& metric) {
+  std::vector<double> without;
+  for (const std::vector<Rgb>& picture : shown.without) without.push_back(metric(shown.test, picture));
+  return measured(metric(shown.test, shown.mean), metric(shown.noisy, shown.mean), without);
+}
+
+ErrorValue psnr_error(const Pictures& shown) {
+  const Measured m = measured(shown, [](const auto& picture, const auto& reference) { return psnr(picture, reference); });
+  // The noise adds its mean square to the error's: the upper end is what is left without it.
+  const double squares = std::pow(10.0, -0.1 * m.interval.high) - std::pow(10.0, -0.1 * m.noise);
+  const double high = squares > 0.0 ? std::min(most_decibels, -10.0 * std::log10(squares)) : most_decibels;
+  return {m.value, m.interval.low, std::max(high, m.value), m.noise, m.value > m.noise};
+}
+
+ErrorValue ssim_error(int width, int height, const Pictures& shown) {
+  const Measured m = measured(
+      shown, [&](const auto& picture, const auto& reference) { return ssim(width, height, picture, reference).value(); });
+  return {m.value, std::max(-1.0, m.interval.low), std::min(1.0, m.interval.high + 1.0 - m.noise), m.noise, m.value > m.noise};
+}
+
+/// The largest error of each pixel over the exposures seen so far.
+class LargestErrors {
+ public:
+  void add(const std::vector<float>& errors) {
+    if (largest_.empty()) largest_ = errors;
+    else std::ranges::transform(largest_, errors, largest_.begin(), [](float a, float b) { return std::max(a, b); });
+  }
+  double mean() const { return std::accumulate(largest_.begin(), largest_.end(), 0.0) / static_cast<double>(largest_.size()); }
+
+ private:
+  std::vector<float> largest_;
+};
+
+/// Shows a picture at an exposure, for FLIP: linear, in [0, 1].
+using Display = std::vector<Rgb> (*)(std::span<const Rgb>, float);
+
+/// FLIP, largest over the exposures; the part of each picture is made once and used in every comparison.
+ErrorValue flip_error(int width, int height, const Pictures& pictures, std::span<const float> exposures, Display display) {
+  LargestErrors value, noise;
+  std::vector<LargestErrors> without(pictures.without.size());
+  for (const float exposure : exposures) {
+    const auto features_of = [&](std::span<const Rgb> picture) {
+      return flip_features(width, height, display(picture, exposure), default_pixels_per_degree);
+    };
+    const FlipFeatures test = features_of(pictures.test), mean = features_of(pictures.mean);
+    value.add(flip_differences(mean, test));
+    noise.add(flip_differences(mean, features_of(pictures.noisy)));
+    for (std::size_t i = 0; i < without.size(); ++i) without[i].add(flip_differences(features_of(pictures.without[i]), test));
+  }
+  std::vector<double> values_without;
+  for (const LargestErrors& errors : without) values_without.push_back(errors.mean());
+  const Measured m = measured(value.mean(), noise.mean(), values_without);
+  return error_against_mean(m.value, m.interval, m.noise);
+}
+
+}  // namespace
+
+ErrorValue error_against_mean(double value, const Interval& interval, double floor) {
+  const double low = std::max(0.0, interval.low);
+  return {value, std::sqrt(std::max(0.0, low * low - floor * floor)), interval.high, floor, value < floor};
+}
+
+ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
+                          const Exposure& exposure) {
+  GIBENCH_CHECK(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height), "one value for each pixel");
+  const Pictures pictures = pictures_of(pixels, reference);
+  const Pictures shown = displayed(pictures, exposure.value);
+  ErrorTable table;
+  table["psnr"] = psnr_error(shown);
+  if (std::min(width, height) >= ssim_window) table["ssim"] = ssim_error(width, height, shown);
+  const std::vector<float> one_exposure{exposure.value}, range = exposure_range(exposure.start, exposure.stop).exposures();
+  table["flip"] = flip_error(width, height, pictures, one_exposure,
+                             [](std::span<const Rgb> picture, float stops) { return exposed(picture, stops); });
+  table["hdr_flip"] = flip_error(width, height, pictures, range, [](std::span<const Rgb> picture, float stops) {
+    return tone_mapped(picture, stops, ToneMapper::aces);
+  });
+  return table;
+}
+
+Exposure automatic_exposure(std::span<const Rgb> pixels) {
+  double sum_of_logarithms = 0.0;
+  std::size_t lit = 0;
+  for (const Rgb& pixel : pixels)
+    if (const float y = luminance(pixel); y > 0.0F && std::isfinite(y)) {
+      sum_of_logarithms += std::log2(double{y});
+      ++lit;
+    }
+  if (lit == 0) return {0.0F, 0.0F, 1.0F};
+  const double middle = std::log2(0.18) - sum_of_logarithms / static_cast<double>(lit);
+  const ExposureRange range = automatic_exposures(pixels);
+  return {static_cast<float>(middle), range.start, range.stop};
+}
+
+}  // namespace gibench

@@ -1,0 +1,22 @@
+/// The metrics of what is seen, against a reference in replicates: psnr, ssim, flip and hdr_flip.
+#pragma once
+
+#include <span>
+
+#include "common/metrics/errors.h"
+#include "common/metrics/intervals.h"
+
+namespace gibench {
+
+/// psnr, ssim and flip at the exposure's value, hdr_flip (ACES) over its range, all against the mean of the reference at
+/// default_pixels_per_degree; flip and hdr_flip are the means of their maps. Intervals by the delete-a-group jackknife over
+/// min(R, 8) groups of replicates. ssim is absent for pictures under 11 pixels wide or high. For psnr and ssim, which are
+/// larger where the error is smaller, `noise_floor` is a ceiling: what the reference's own noise would give.
+ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
+                          const Exposure& exposure);
+
+/// A metric taken against the mean of the reference, whose noise makes it larger, in quadrature: the low end of its
+/// interval goes down by as much, to √(low² − floor²), as far down as 0 where error and noise are alike.
+ErrorValue error_against_mean(double value, const Interval& interval, double floor);
+
+}  // namespace gibench
