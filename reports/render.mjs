@@ -29,7 +29,7 @@ function plottedKeys() {
 }
 
 function specifications() {
-  const keys = plottedKeys(), width = 520, list = [];
+  const keys = plottedKeys(), width = 620, list = [];
   if (keys.length === 0) return list;
   if (study.rankings[0].points.length) list.push(["ranking", plotting.rankingPlot(study, templates, 0, width)]);
   for (const scene of study.scenes) {

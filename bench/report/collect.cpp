@@ -27,6 +27,14 @@ fs::path inside(const fs::path& folder, const std::string& relative) {
   return folder / path;
 }
 
+/// The message with the study folder's path left out: the report is to be read elsewhere.
+std::string within(const Study& study, std::string message) {
+  const std::string prefix = study.folder.string() + "/";
+  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at))
+    message.erase(at, prefix.size());
+  return message;
+}
+
 float exposure_of(const Json& scene) {
   if (const auto value = number_at(scene, "exposure")) return static_cast<float>(*value);
   return static_cast<float>(number_at(object_at(scene, "exposure"), "value").value_or(0.0));
@@ -52,7 +60,7 @@ StudyScene scene_of(const Json& entry, Study& study) {
   try {
     scene.reference = facts_of(read_json(file));
   } catch (const InputError& error) {
-    study.warnings.emplace_back(error.what());
+    study.warnings.push_back(within(study, error.what()));
   }
   return scene;
 }
@@ -80,10 +88,11 @@ StudyRun run_of(const Json& entry, Study& study) {
   try {
     read_result(file, run);
   } catch (const InputError& error) {
-    study.warnings.push_back("run " + run.id + ": " + error.what());
+    const std::string problem = within(study, error.what());
+    study.warnings.push_back("run " + run.id + ": " + problem);
     if (run.status == RunStatus::done) {
       run.status = RunStatus::failed;
-      run.message = std::string("its record cannot be used: ") + error.what();
+      run.message = "its record cannot be used: " + problem;
     }
   }
   return run;

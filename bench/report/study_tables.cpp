@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "bench/report/format.h"
 #include "bench/report/table_cells.h"
@@ -25,6 +26,8 @@ std::vector<Cell> scene_row(const StudyRun& run, const BaselineCurve& curve, con
           text_cell(run.method),
           text_cell(status_text(run.status)),
           {error ? error_text(metric, *error) : std::string(dash), error ? exact(error->value) : ""},
+          cell(
+              error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact),
           cell(speed, speed_up_text, [](const SpeedUp& s) { return exact(s.factor); }),
           seconds_cell(run.transport_seconds(key.domain)),
           seconds_cell(at(run.seconds, "prepare")),
@@ -36,6 +39,13 @@ std::vector<Cell> scene_row(const StudyRun& run, const BaselineCurve& curve, con
           count_cell(at(run.counters, "occlusion_rays"))};
 }
 
+/// The speed-up on one scene, or how the run ended where it gave no answer.
+Cell ranked_cell(const Study& study, const RankedRun& ranked) {
+  if (ranked.speed_up) return {speed_up_text(*ranked.speed_up), exact(ranked.speed_up->factor)};
+  const bool ended = ranked.run && study.runs[*ranked.run].status != RunStatus::done;
+  return {ended ? status_text(study.runs[*ranked.run].status) : std::string(dash), ""};
+}
+
 }  // namespace
 
 std::string scene_slug(const Study& study, std::size_t scene) {
@@ -45,6 +55,7 @@ std::string scene_slug(const Study& study, std::size_t scene) {
     if (keep) slug += c;
     else if (!slug.empty() && slug.back() != '-') slug += '-';
   }
+  while (slug.ends_with('-')) slug.pop_back();
   return fmt::format("scene-{}{}{}", scene + 1, slug.empty() ? "" : "-", slug.substr(0, 60));
 }
 
@@ -58,6 +69,7 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
                           {"Method", "method", false},
                           {"Status", "status", false},
                           {metric.title + " [95% interval]", key.metric},
+                          {"Noise floor", "noise_floor"},
                           {"Speed-up", "speed_up"},
                           {"Time", "seconds"},
                           {"Prepare", "prepare_seconds"},
@@ -75,7 +87,9 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
 }
 
 Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<RankingRow>& rows) {
-  const std::string of = " of " + std::to_string(study.scenes.size());
+  const auto left_out = [](const StudyScene& scene) { return scene.skipped.has_value(); };
+  const auto answered = std::count_if(study.scenes.begin(), study.scenes.end(), std::not_fn(left_out));
+  const std::string of = fmt::format(" of {}", answered);
   Table table{.name = "ranking",
               .caption = "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
                          ": the path tracer's time for a run's error over the run's time; geometric mean over the scenes.",
@@ -87,7 +101,8 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
                           {"On the front" + of, "scenes_on_front"},
                           {"Without answer" + of, "scenes_without_answer"}},
               .rows = {}};
-  for (const StudyScene& scene : study.scenes) table.columns.push_back({scene.name, scene.name});
+  for (const StudyScene& scene : study.scenes)
+    if (!scene.skipped) table.columns.push_back({scene.name, scene.name});
   for (const RankingRow& row : rows) {
     std::vector<Cell> cells = {
         text_cell(row.label),
@@ -95,15 +110,12 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
         {row.geometric_mean ? std::string(row.at_least ? "≥ " : "").append(factor(*row.geometric_mean)) : std::string(dash),
          row.geometric_mean ? exact(*row.geometric_mean) : ""},
         text_cell(std::to_string(row.compared)),
-        number_cell(row.mean_error_rank),
+        cell(
+            row.mean_error_rank, [](double r) { return fmt::format("{:.1f}", r); }, exact),
         text_cell(std::to_string(row.on_front)),
         text_cell(std::to_string(row.not_done))};
-    for (const RankedRun& cell : row.scenes) {
-      if (cell.speed_up) cells.push_back({speed_up_text(*cell.speed_up), exact(cell.speed_up->factor)});
-      else if (cell.run && study.runs[*cell.run].status != RunStatus::done)
-        cells.push_back({status_text(study.runs[*cell.run].status), ""});
-      else cells.push_back({std::string(dash), ""});
-    }
+    for (std::size_t scene = 0; scene < row.scenes.size(); ++scene)
+      if (!study.scenes[scene].skipped) cells.push_back(ranked_cell(study, row.scenes[scene]));
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -14,9 +14,10 @@
       `${answered < study.scenes.length ? ` (${study.scenes.length - answered} left out)` : ""}: ` +
       [...counts].map(([status, count]) => `${count} ${status}`).join(", ") + ".";
     const machine = new Map(study.machine);
-    document.getElementById("key-facts").append(...definitions([
+    const facts = [
       ["Machine", [machine.get("cpu"), machine.get("cores") && `${machine.get("cores")} cores`].filter(Boolean).join(", ")],
-      ["Commit", study.commit.slice(0, 12)], ["Version", study.version], ["Made", study.created]].filter(([, value]) => value)));
+      ["Commit", study.commit.slice(0, 12)], ["Version", study.version], ["Made", study.created]].filter(([, value]) => value);
+    document.getElementById("key-facts").append(...facts.map((fact) => element("div", {}, definitions([fact]))));
   }
 
   // The error that every plot and table shows: a position in study.keys, or null when nothing was measured.

@@ -2,8 +2,9 @@
 "use strict";
 (function (gibench) {
   const font = "'Liberation Sans', 'DejaVu Sans', Arial, Helvetica, sans-serif";
-  const config = {
+  const config = (width) => ({
     background: "#ffffff",
+    autosize: { type: "fit-x", contains: "padding" },
     font,
     view: { stroke: "#c8c8c8" },
     axis: {
@@ -12,9 +13,9 @@
     },
     legend: {
       labelFontSize: 12, titleFontSize: 12.5, labelColor: "#222222", titleColor: "#222222", orient: "top", symbolSize: 90,
-      symbolStrokeWidth: 1.8, columns: 4, labelLimit: 220,
+      symbolStrokeWidth: 1.8, columns: Math.max(1, Math.floor(width / 120)), labelLimit: 220,
     },
-  };
+  });
 
   // Replaces every string "$name" of a template by values.name.
   function fill(template, values) {
@@ -39,6 +40,18 @@
     const low = Math.min(...finite), high = Math.max(...finite);
     const margin = 0.08 * (high - low || Math.abs(high) || 1);
     return [low - margin, high + margin];
+  }
+
+  // Ticks at 1, 2 and 5 of every decade, or at the decades alone where those are many.
+  function logTicks([low, high]) {
+    const decades = Math.log10(high / low), digits = decades <= 2.6 ? [1, 2, 5] : [1], ticks = [];
+    const every = Math.max(1, Math.ceil(decades / 8));
+    for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power += 1)
+      for (const digit of digits) {
+        const tick = +`${digit}e${power}`;
+        if (tick >= low && tick <= high && power % every === 0) ticks.push(tick);
+      }
+    return ticks;
   }
 
   // Only the methods that have a point: a legend entry without a mark misleads.
@@ -82,22 +95,27 @@
     const values = points.flatMap((p) => [p.error, p.high ?? p.error, Math.max(p.low ?? p.error, metric.logarithmic ? p.error / 3 : -Infinity)]);
     const floors = points.map((p) => p.floor).filter((floor) => floor > 0);
     const floor = floors.length ? Math.max(...floors) : null;
+    // Room for the marks below the floor.
+    if (points.some((p) => p.below)) values.push(floor / 1.7);
+    const timeDomain = logDomain(points.map((p) => p.seconds), 1.6);
     const domain = metric.logarithmic ? logDomain(values, 1.35) : linearDomain(values);
     return fill(templates["error-against-time"], {
-      width, config, runs: points, ...styles(study, new Set(points.map((p) => p.method))),
+      width, config: config(width), runs: points, ...styles(study, new Set(points.map((p) => p.method))),
       floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "below the reference's noise floor" }] : [],
       timeTitle: `Time (s): prepare + light + shade${entry.domain === "image" ? " the image" : " the samples"}`,
-      timeDomain: logDomain(points.map((p) => p.seconds), 1.6),
+      timeDomain, timeTicks: logTicks(timeDomain), errorTicks: metric.logarithmic ? logTicks(domain) : null,
       errorTitle: entry.axis, errorScale: metric.logarithmic ? "log" : "linear", errorDomain: domain,
+      tooltip: [{ field: "run", title: "Run" }, { field: "method", title: "Method" }, { field: "text", title: "Error" }, { field: "time", title: "Time" }],
       errorFormat: metric.percent ? "~%" : "~g",
     });
   }
 
   function rankingPlot(study, templates, key, width) {
     const points = study.rankings[key].points.map((p) => ({ ...p, where: p.scene || "geometric mean" }));
+    const factorDomain = logDomain(points.map((p) => p.factor).concat([1]), 1.5);
     return fill(templates.ranking, {
-      width, config, points, ...styles(study, new Set(points.map((p) => p.method))),
-      order: [...new Set(points.map((p) => p.run))], factorDomain: logDomain(points.map((p) => p.factor).concat([1]), 1.5),
+      width, height: 24 * new Set(points.map((p) => p.run)).size, config: config(width), points, factorDomain, factorTicks: logTicks(factorDomain), ...styles(study, new Set(points.map((p) => p.method))),
+      order: [...new Set(points.map((p) => p.run))],
     });
   }
 
@@ -112,7 +130,9 @@
       });
       totals.push({ run: run.label, time: seconds(total) });
     }
-    return fill(templates.stages, { width, config, stages, totals, order: totals.map((t) => t.run) });
+    return fill(templates.stages, {
+      width, height: 22 * totals.length, config: config(width), stages, totals, order: totals.map((t) => t.run),
+    });
   }
 
   gibench.plotting = { errorPlot, errorPoints, rankingPlot, stagesPlot };

@@ -14,7 +14,7 @@
         target.replaceChildren(element("p", { class: "note" }, "Plots need the packages of reports/package.json, which were not installed when this report was made. The table holds the same numbers."));
         return;
       }
-      const width = Math.max(220, Math.min(640, target.clientWidth - 120));
+      const width = Math.max(240, Math.min(900, target.clientWidth - 44));
       await globalThis.vegaEmbed(target, makeSpec(width), { renderer: "svg", actions: { export: true, source: false, compiled: false, editor: false } });
       target.dataset.drawn = "yes";
     };
