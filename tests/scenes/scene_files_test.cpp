@@ -34,6 +34,33 @@ std::string short_name(const fs::path& file) {
 
 bool needs_models(const fs::path& file) { return short_name(file) == "sibenik" || short_name(file) == "statues"; }
 
+Vec3 cosine_direction(const SurfaceSample& sample, std::uint64_t index) {
+  RandomStream random(2, 3, index);
+  const float radius = std::sqrt(random.next_float()), angle = 2.0F * pi * random.next_float();
+  const float height = std::sqrt(std::max(1e-6F, 1.0F - radius * radius));
+  return Frame(sample.normal).to_world({radius * std::cos(angle), radius * std::sin(angle), height});
+}
+
+enum class Sight { nothing, front, back };
+
+/// What a cosine-distributed ray from the sample meets.
+Sight look_from(const World& world, const SurfaceSample& sample, std::uint64_t index) {
+  const Vec3 direction = cosine_direction(sample, index);
+  const Hit hit = world.rays().closest_hit({world.ray_origin(sample), 0.0F, direction});
+  if (!hit) return Sight::nothing;
+  const SurfaceSample seen = world.sample_of_hit(hit, direction);
+  const bool lamp = !is_black(world.scene().material_of_object(seen.object).emission);  // shows its back to the ceiling
+  return seen.lit_side || lamp ? Sight::front : Sight::back;
+}
+
+/// The floor under a block without a bottom, or the part of a statue that reaches into its pedestal: a place from
+/// which nearly everything seen is the inside of something.
+bool boxed_in(const World& world, const SurfaceSample& sample) {
+  int backs = 0, others = 0;
+  for (std::uint64_t i = 0; i < 64; ++i) ++(look_from(world, sample, 1'000'000 + i) == Sight::back ? backs : others);
+  return backs > 3 * others;
+}
+
 class SceneFile : public testing::TestWithParam<fs::path> {
  protected:
   /// Skips where the models that the scene needs are not on this machine.
@@ -64,19 +91,15 @@ TEST_P(SceneFile, SurfacesSeeOnlyFronts) {
   std::size_t backs = 0, hits = 0;
   const std::vector<SurfaceSample> samples = area_uniform_samples(world, 20'000, 1);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    RandomStream random(2, 3, i);
-    const float radius = std::sqrt(random.next_float()), angle = 2.0F * pi * random.next_float();
-    const Vec3 local(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(std::max(1e-6F, 1.0F - radius * radius)));
-    const Vec3 direction = Frame(samples[i].normal).to_world(local);
-    const Hit hit = world.rays().closest_hit({world.ray_origin(samples[i]), 0.0F, direction});
-    if (!hit) continue;
+    const Sight sight = look_from(world, samples[i], i);
+    if (sight == Sight::nothing) continue;
     ++hits;
-    if (!world.sample_of_hit(hit, direction).lit_side) ++backs;
+    if (sight == Sight::back && !boxed_in(world, samples[i])) ++backs;
   }
   EXPECT_GT(hits, 100U);
-  // Parts of generated figures and columns reach into one another: a sample inside a neighbour sees its back.
-  const bool parts_overlap = short_name(GetParam()) == "colonnade";
-  EXPECT_LE(backs, parts_overlap ? samples.size() / 20 : 0U);
+  // The colonnade's parts reach into one another, and inside a plinth one sees the column's foot as well.
+  const std::size_t allowed = short_name(GetParam()) == "colonnade" ? samples.size() / 50 : 0;
+  EXPECT_LE(backs, allowed);
 }
 
 TEST_P(SceneFile, CamerasSeeOnlyFronts) {
@@ -86,7 +109,7 @@ TEST_P(SceneFile, CamerasSeeOnlyFronts) {
   for (const Camera& camera : scene.cameras) {
     const Vec3 ahead = glm::normalize(camera.look_at - camera.position);
     const Vec3 right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead);
-    const float half = std::tan(glm::radians(0.5F * camera.vertical_fov_degrees));
+    const float half = std::tan(camera.vertical_fov_degrees * pi / 360.0F);
     const float aspect = static_cast<float>(camera.width) / static_cast<float>(camera.height);
     int hits = 0, backs = 0;
     for (int y = 0; y < pixels; ++y)
@@ -104,11 +127,13 @@ TEST_P(SceneFile, CamerasSeeOnlyFronts) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SceneFile, testing::ValuesIn(scene_files()), [](const testing::TestParamInfo<fs::path>& info) {
-  std::string name = short_name(info.param);
+std::string test_name(const testing::TestParamInfo<fs::path>& file) {
+  std::string name = short_name(file.param);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SceneFile, testing::ValuesIn(scene_files()), test_name);
 
 /// Rays from the surfaces of a closed room must all hit something.
 TEST(ClosedScenes, FurnacesHaveNoHoles) {
@@ -134,10 +159,7 @@ TEST(ClosedScenes, TheThinWallLetsNoRayThrough) {
   std::size_t crossings = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (world.scene().objects[samples[i].object].name == "edge of the wall") continue;
-    RandomStream random(4, 5, i);
-    const float radius = std::sqrt(random.next_float()), angle = 2.0F * pi * random.next_float();
-    const Vec3 local(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(std::max(1e-6F, 1.0F - radius * radius)));
-    const Vec3 direction = Frame(samples[i].normal).to_world(local);
+    const Vec3 direction = cosine_direction(samples[i], i);
     const Hit hit = world.rays().closest_hit({world.ray_origin(samples[i]), 0.0F, direction});
     if (hit && side(world.sample_of_hit(hit, direction)) != side(samples[i])) ++crossings;
   }
