@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "common/core/error.h"
+#include "common/geometry/convexity.h"
+#include "common/geometry/mesh_topology.h"
 
 namespace gibench {
 
@@ -13,6 +15,7 @@ namespace {
 
 // Triangles; every pair is looked at, so larger meshes are taken as general: never wrong, at most not the least work.
 constexpr std::size_t largest_arrangement = 4096;
+constexpr float planarity = 1e-5F;  // of the scene's diagonal
 
 /// What the scene's parts say, counted once.
 struct Facts {
@@ -62,12 +65,15 @@ bool is_dark(const EnvironmentLight& light) {
   return std::all_of(pixels.begin(), pixels.end(), [](const Rgb& p) { return is_black(p); });
 }
 
+/// Metres above the plane of a triangle, on its front; 0 for a degenerate one.
+float height_above(const World& world, std::uint32_t triangle, const Vec3& point) {
+  return glm::dot(world.normal(triangle), point - world.scene().vertices[world.scene().triangles[triangle].corners[0]]);
+}
+
 /// Whether the point lies in front of, or in the plane of, every triangle.
 bool in_front_of_all(const World& world, const Vec3& point) {
-  const float tolerance = 1e-5F * world.diagonal();
-  const Scene& scene = world.scene();
-  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
-    if (glm::dot(world.normal(t), point - scene.vertices[scene.triangles[t].corners[0]]) < -tolerance) return false;
+  for (std::uint32_t t = 0; t < world.scene().triangles.size(); ++t)
+    if (height_above(world, t, point) < -planarity * world.diagonal()) return false;
   return true;
 }
 
@@ -147,24 +153,23 @@ EffectSet SceneEffects::called_for() const {
 Arrangement arrangement_of(const World& world) {
   const Scene& scene = world.scene();
   if (scene.triangles.size() > largest_arrangement) return Arrangement::general;
-  const double tolerance = 1e-5 * static_cast<double>(world.diagonal());
-  bool all_in_front = true, all_behind = true;
-  for (std::uint32_t t = 0; t < scene.triangles.size() && (all_in_front || all_behind); ++t) {
-    if (!(world.area(t) > 0.0F)) continue;
-    const Vec3d normal(world.normal(t)), corner(scene.vertices[scene.triangles[t].corners[0]]);
-    const bool two_sided = scene.objects[scene.triangle_object[t]].two_sided;
-    for (std::uint32_t u = 0; u < scene.triangles.size(); ++u) {
-      if (!(world.area(u) > 0.0F)) continue;
-      for (const std::uint32_t vertex : scene.triangles[u].corners) {
-        const double height = glm::dot(normal, Vec3d(scene.vertices[vertex]) - corner);
-        if (height > tolerance || (two_sided && height < -tolerance)) all_behind = false;
-        if (height < -tolerance) all_in_front = false;
+  const float tolerance = planarity * world.diagonal();
+  const std::vector<std::uint32_t> weld = weld_vertices(scene.vertices, weld_tolerance(scene.vertices));
+  if (!bounds_convex_set(scene.vertices, scene.triangles, weld, tolerance)) return Arrangement::general;
+  // All vertices lie on one side of every face: on its front, or behind it, or (a flat plate) in its plane.
+  float highest = 0.0F, lowest = 0.0F;
+  bool two_sided = false;
+  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+    two_sided |= scene.objects[scene.triangle_object[t]].two_sided;
+    for (const Triangle& other : scene.triangles)
+      for (const std::uint32_t corner : other.corners) {
+        const float height = height_above(world, t, scene.vertices[corner]);
+        highest = std::max(highest, height);
+        lowest = std::min(lowest, height);
       }
-      if (!all_in_front && !all_behind) break;
-    }
   }
-  if (all_behind) return Arrangement::no_mutual_sight;
-  return all_in_front ? Arrangement::convex_room : Arrangement::general;
+  if (highest > tolerance) return Arrangement::convex_room;
+  return two_sided && lowest < -tolerance ? Arrangement::general : Arrangement::no_mutual_sight;
 }
 
 SceneEffects analyse_effects(const World& world, std::optional<int> bounces) {

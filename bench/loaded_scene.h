@@ -1,0 +1,21 @@
+/// A scene read and made ready for rays, with what that cost.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "common/ray/world.h"
+
+namespace gibench {
+
+struct LoadedScene {
+  std::unique_ptr<World> world;
+  double seconds = 0.0;  ///< reading and building the ray backend, wall clock
+
+  const Scene& scene() const { return world->scene(); }
+};
+
+/// `name`: a path or the name of a known scene (bench/scene_search.h). Throws InputError with file, JSON path and mend.
+LoadedScene load_world(const std::string& name, int threads);
+
+}  // namespace gibench

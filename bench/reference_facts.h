@@ -1,0 +1,33 @@
+/// How good a stored reference is, in few numbers.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "common/reference/reference_store.h"
+
+namespace gibench {
+
+struct ReferenceFacts {
+  std::string key, path_class;
+  std::uint64_t samples_per_replica = 0;  ///< paths for each value in each replicate
+  std::size_t replicas = 0;
+  double seconds = 0.0;  ///< spent on making it
+  /// Of the indirect light (of all light where there is no indirect); absent where nothing was asked there.
+  std::optional<double> surface_error, image_error;
+
+  /// The larger of the two.
+  double relative_standard_error() const;
+};
+
+ReferenceFacts facts_of(const Scene& scene, const Reference& reference);
+
+/// Root of the mean variance of the replicates' mean, over the mean value; channels alike. 0 for black.
+double relative_standard_error(const Replicas& replicas);
+
+/// {key, path_class, samples (per value, all replicates), samples_per_replica, replicas, relative_standard_error, …}
+nlohmann::ordered_json to_json(const ReferenceFacts& facts);
+
+}  // namespace gibench

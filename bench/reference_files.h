@@ -1,0 +1,16 @@
+/// A stored reference as pictures and facts that other programs can read.
+#pragma once
+
+#include <filesystem>
+
+#include "common/reference/reference_store.h"
+
+namespace gibench {
+
+inline constexpr const char* reference_file = "reference.json";
+
+/// reference.json and, with a camera, reference.exr: R,G,B total; direct.*, indirect.*; half_a.*, half_b.*: the total
+/// by the even and by the odd replicates.
+void write_reference_files(const std::filesystem::path& folder, const Scene& scene, const Reference& reference);
+
+}  // namespace gibench

@@ -1,0 +1,49 @@
+/// One method on one scene: planned, prepared, lit, asked at the measuring points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/loaded_scene.h"
+#include "bench/measuring.h"
+#include "bench/run_log.h"
+#include "bench/run_record.h"
+#include "bench/verbs.h"
+#include "common/method/method.h"
+
+namespace gibench {
+
+/// Which method, how set.
+struct MethodChoice {
+  const MethodEntry* entry = nullptr;
+  Parameters parameters;
+};
+
+/// `settings` are "name=value" texts as of --set. Throws InputError for what is unknown, out of range or no setting.
+MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings);
+
+/// The prefix of the message of a WorkError by which a refusal is told from a failure.
+inline constexpr const char* refusal_prefix = "refused: ";
+
+/// A method that is ready to be asked. Throws WorkError for a refusal and for a stage that failed.
+struct LitMethod {
+  std::unique_ptr<TransportMethod> method;
+  EffectPlan plan;
+  std::vector<StageRecord> stages;  ///< prepare and light
+};
+LitMethod prepare_and_light(const World& world, const MethodChoice& choice, std::optional<int> bounces, Task& task, RunLog& log);
+
+/// A task of the common options, with cancellation, and a progress line that names what works.
+Task make_task(const CommonOptions& common, const std::string& title);
+
+struct RunOutcome {
+  RunRecord record;
+  Answers surface;
+  std::optional<Answers> image;
+};
+RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
+                      const CommonOptions& common, RunLog& log);
+
+}  // namespace gibench

@@ -1,0 +1,55 @@
+/// What one run tells: result.json. What was not measured is absent, never zero.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/measuring.h"
+#include "bench/reference_facts.h"
+#include "common/metrics/errors.h"
+
+namespace gibench {
+
+using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
+
+struct StageRecord {
+  std::string stage;  ///< prepare, light, shade_surface, shade_image
+  StageReport report;
+};
+
+/// Errors of one component: "surface" or "image" to its metrics.
+using DomainErrors = std::map<std::string, ErrorTable>;
+
+struct RunRecord {
+  std::string scene, method;
+  ParameterValues parameters;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  ReferenceQuestion question;  ///< where the method was asked, and for which paths
+  EffectPlan plan;
+  std::vector<std::string> completed;  ///< components that the shared evaluator answered for the method
+  double load_seconds = 0.0;           ///< reading the scene and building the ray backend
+  std::vector<StageRecord> stages;
+  std::size_t method_bytes = 0;  ///< 0: unknown
+  Counters counters;
+  std::vector<std::string> warnings;
+  std::optional<Exposure> exposure;            ///< at which its pictures are shown and FLIP was taken
+  std::map<std::string, DomainErrors> errors;  ///< by component: direct, indirect, total
+  std::optional<ReferenceFacts> reference;     ///< what the errors were taken against
+};
+
+/// As DESIGN names the fields; peak memory and machine are those of this process.
+nlohmann::ordered_json to_json(const RunRecord& record);
+
+nlohmann::ordered_json to_json(const ErrorTable& table);
+/// {called_for, simulated, missing, skipped: [{effect, why}]}
+nlohmann::ordered_json to_json(const EffectPlan& plan);
+nlohmann::ordered_json to_json(const ParameterValue& value);
+/// {value, start, stop} in stops
+nlohmann::ordered_json to_json(const Exposure& exposure);
+
+}  // namespace gibench

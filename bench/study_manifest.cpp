@@ -1,0 +1,95 @@
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bench/machine.h"
+#include "bench/run_record.h"
+#include "bench/study_runner.h"
+#include "common/core/atomic_file.h"
+
+namespace gibench {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<Json> read_json_if_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  const Json json = Json::parse(read_file(file), nullptr, false);
+  return json.is_discarded() ? std::nullopt : std::optional(json);
+}
+
+std::string StudyRunner::key_of(const PlannedRun& run) const {
+  const SceneState& scene = scenes_[run.scene];
+  // The samples of the reference count: a better one gives other errors.
+  const std::string reference_state =
+      scene.reference.is_object() ? scene.reference.at("key").get<std::string>() + scene.reference.at("samples").dump() : "none";
+  return run_key(study_, run, common_, scene.check.at("key").get<std::string>(), reference_state);
+}
+
+Json StudyRunner::scene_entry(std::size_t scene) const {
+  const SceneState& state = scenes_[scene];
+  const std::string& name = study_.scenes[scene].name;
+  Json entry{{"name", name}, {"file", study_.scenes[scene].file.filename().string()}};
+  if (state.skipped) {
+    entry["skipped"] = *state.skipped;
+    return entry;
+  }
+  if (!state.check.is_object()) return entry;
+  for (const Json& camera : state.check.at("cameras"))
+    if (study_.measuring.camera.empty() || camera.at("name") == study_.measuring.camera) {
+      entry["camera"] = camera.at("name");
+      break;
+    }
+  entry["key"] = state.check.at("key");
+  if (state.check.contains("exposure")) entry["exposure"] = state.check.at("exposure");
+  else if (state.reference.is_object() && state.reference.contains("exposure"))
+    entry["exposure"] = state.reference.at("exposure");
+  if (state.reference.is_object() && state.reference.contains("resolution"))
+    entry["resolution"] = state.reference.at("resolution");
+  entry["geometry"] = state.check.at("geometry");
+  entry["effects_called_for"] = Json::array();
+  for (const Json& effect : state.check.at("effects"))
+    if (effect.at("called_for").get<bool>()) entry["effects_called_for"].push_back(effect.at("effect"));
+  if (state.reference.is_object()) entry["reference"] = "references/" + name;
+  else if (!state.reference_message.empty()) entry["message"] = state.reference_message;
+  return entry;
+}
+
+Json StudyRunner::run_entry(const PlannedRun& run) const {
+  const StudyVariant& variant = study_.variants[run.variant];
+  Json parameters = Json::object();
+  for (const auto& [name, value] : variant.parameters) parameters[name] = to_json(value);
+  Json entry{{"id", run.id},
+             {"label", variant.label},
+             {"scene", study_.scenes[run.scene].name},
+             {"method", variant.method},
+             {"parameters", parameters}};
+  if (scenes_[run.scene].skipped) {
+    entry["status"] = "skipped";
+    entry["message"] = *scenes_[run.scene].skipped;
+  } else if (const auto recorded = read_json_if_there(folders_.run(run.id) / run_file);
+             recorded && recorded->value("key", "") == key_of(run)) {
+    for (const char* key : {"status", "exit_code", "message", "wall_seconds", "peak_bytes"})
+      if (recorded->contains(key)) entry[key] = recorded->at(key);
+  } else {
+    entry["status"] = "skipped";
+    entry["message"] = "not run yet";
+  }
+  entry["folder"] = "runs/" + run.id;
+  return entry;
+}
+
+Json StudyRunner::manifest() const {
+  Json scenes = Json::array(), runs = Json::array();
+  for (std::size_t s = 0; s < scenes_.size(); ++s) scenes.push_back(scene_entry(s));
+  for (const PlannedRun& run : runs_) runs.push_back(run_entry(run));
+  return {{"gibench_study", 1},        {"name", study_.name},         {"version", version()}, {"commit", commit()},
+          {"machine", machine_json()}, {"created", created_},         {"seed", common_.seed}, {"threads", common_.threads},
+          {"jobs", settings_.jobs},    {"study", Json(*study_.json)}, {"scenes", scenes},     {"runs", runs}};
+}
+
+void StudyRunner::write_manifest() const {
+  const std::lock_guard lock(manifest_);
+  write_file_atomically(folders_.manifest(), manifest().dump(2) + "\n");
+}
+
+}  // namespace gibench

@@ -1,0 +1,63 @@
+#include "bench/study_plan.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "bench/machine.h"
+#include "common/core/hash.h"
+
+namespace gibench {
+
+namespace {
+
+/// A file name that every file system takes.
+std::string as_file_name(std::string text) {
+  for (char& c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '=' && c != '_' && c != '-') c = '-';
+  return text;
+}
+
+}  // namespace
+
+std::vector<PlannedRun> plan_runs(const Study& study) {
+  std::vector<PlannedRun> runs;
+  std::set<std::string> taken;
+  for (std::size_t s = 0; s < study.scenes.size(); ++s)
+    for (std::size_t v = 0; v < study.variants.size(); ++v) {
+      const std::string wanted = as_file_name(study.scenes[s].name + "." + study.variants[v].label);
+      std::string id = wanted;
+      for (int copy = 2; !taken.insert(id).second; ++copy) id = wanted + "." + std::to_string(copy);
+      runs.push_back({id, s, v});
+    }
+  return runs;
+}
+
+std::string run_key(const Study& study, const PlannedRun& run, const CommonOptions& common, const std::string& scene_key,
+                    const std::string& reference_state) {
+  KeyBuilder key;
+  key.add(version()).add(commit()).add(scene_key).add(reference_state);
+  const StudyVariant& variant = study.variants[run.variant];
+  key.add(variant.method);
+  for (const auto& [name, value] : variant.parameters) key.add(name).add(to_text(value));
+  key.add(common.seed).add(common.threads);
+  for (const std::string& argument : measuring_arguments(study.measuring)) key.add(argument);
+  key.add(study.measuring.reference_seed);
+  key.add(study.time_limit_seconds.value_or(0.0)).add(study.memory_limit_bytes.value_or(0));
+  return key.hex();
+}
+
+std::vector<std::string> measuring_arguments(const MeasuringOptions& measuring) {
+  std::vector<std::string> arguments{"--surface-samples", std::to_string(measuring.surface_samples), "--pixel-samples",
+                                     std::to_string(measuring.pixel_samples)};
+  const auto add = [&](const char* option, const std::string& value) {
+    arguments.emplace_back(option);
+    arguments.push_back(value);
+  };
+  if (!measuring.camera.empty()) add("--camera", measuring.camera);
+  if (measuring.image_width > 0) add("--width", std::to_string(measuring.image_width));
+  if (measuring.bounces) add("--bounces", std::to_string(*measuring.bounces));
+  return arguments;
+}
+
+}  // namespace gibench

@@ -1,0 +1,276 @@
+#include "bench/study_runner.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <ctime>
+#include <exception>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+
+#include "bench/cancellation.h"
+#include "bench/output_folder.h"
+#include "bench/reference_files.h"
+#include "bench/run_method.h"
+#include "common/core/atomic_file.h"
+#include "common/core/error.h"
+
+namespace gibench {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Calls work(0), …, work(count − 1) on `jobs` threads; the first exception is thrown here once all threads ended.
+void for_each_job(int jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr first_error;
+  std::mutex error_mutex;
+  const auto take_jobs = [&] {
+    for (std::size_t i = next++; i < count && !cancellation()->load(); i = next++) try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(error_mutex);
+        if (!first_error) first_error = std::current_exception();
+        next = count;
+      }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < jobs; ++i) threads.emplace_back(take_jobs);
+  take_jobs();
+  for (std::thread& thread : threads) thread.join();
+  if (first_error) std::rethrow_exception(first_error);
+}
+
+/// The line of an error without the program's name.
+std::string message_of(const std::string& line) {
+  const std::string prefix = "gibench: ";
+  return line.starts_with(prefix) ? line.substr(prefix.size()) : line;
+}
+
+const char* status_of(const ChildResult& child) {
+  switch (child.end) {
+    case ChildEnd::timed_out: return "timed_out";
+    case ChildEnd::signalled: return "crashed";
+    case ChildEnd::over_memory:
+    case ChildEnd::cancelled: return "failed";
+    case ChildEnd::exited: break;
+  }
+  if (child.exit_code == 0) return "done";
+  return message_of(child.error).starts_with(refusal_prefix) ? "refused" : "failed";
+}
+
+std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
+  switch (child.end) {
+    case ChildEnd::timed_out: return fmt::format("stopped at its time limit of {} s", *limits.seconds);
+    case ChildEnd::over_memory:
+      return fmt::format("stopped at its memory limit of {} MB", static_cast<double>(*limits.bytes) / (1024.0 * 1024.0));
+    case ChildEnd::signalled:
+      return fmt::format("ended by a signal: {}{}{}", describe_signal(child.signal), child.error.empty() ? "" : "; ",
+                         child.error);
+    case ChildEnd::cancelled: return "cancelled";
+    case ChildEnd::exited: break;
+  }
+  return child.exit_code == 0 ? std::string() : message_of(child.error);
+}
+
+/// Models that a scene needs are not on this machine: the loader's mend names the variable that says where to look.
+bool lacks_files(const ChildResult& check) {
+  return check.exit_code == 2 && check.error.find("GIBENCH_PATH") != std::string::npos;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string(), "cannot be made (" + error.message() + ")", "choose a folder that you may write to");
+}
+
+}  // namespace
+
+StudyRunner::StudyRunner(const Study& study, StudySettings settings, const CommonOptions& common)
+    : study_(study),
+      settings_(std::move(settings)),
+      common_(common),
+      folders_{settings_.out},
+      runs_(plan_runs(study)),
+      scenes_(study.scenes.size()),
+      bar_(std::make_unique<ProgressBar>("study " + study.name, common.quiet)),
+      created_(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))) {}
+StudyRunner::~StudyRunner() = default;
+
+void StudyRunner::run() {
+  make_folder(folders_.root / "runs");
+  make_folder(folders_.scratch());
+  check_scenes();
+  write_manifest();
+  make_references();
+  write_manifest();
+  run_all();
+  write_manifest();
+  std::error_code ignored;
+  fs::remove(folders_.scratch(), ignored);  // stays while another shard works in it
+  stop_if_cancelled();
+}
+
+ChildResult StudyRunner::child(std::vector<std::string> arguments, const ChildLimits& limits, const std::string& name) const {
+  for (const std::string& argument : {std::string("--threads"), std::to_string(common_.threads), std::string("--quiet")})
+    arguments.push_back(argument);
+  ChildResult result = run_child(arguments, limits, folders_.scratch(), name);
+  std::error_code ignored;
+  for (const char* extension : {".out", ".err"}) fs::remove(folders_.scratch() / (name + extension), ignored);
+  return result;
+}
+
+void StudyRunner::check_scenes() {
+  for (std::size_t s = 0; s < scenes_.size(); ++s) {
+    const StudyScene& scene = study_.scenes[s];
+    const ChildResult result = child({"check", scene.file.string(), "--json"}, {}, "check-" + scene.name);
+    stop_if_cancelled();
+    if (result.end == ChildEnd::exited && result.exit_code == 0) {
+      scenes_[s].check = Json::parse(result.out);
+      if (study_.reference)
+        scenes_[s].reference = read_json_if_there(folders_.reference(scene.name) / reference_file).value_or(Json());
+    } else if (lacks_files(result)) {
+      scenes_[s].skipped = message_of(result.error);
+      tell(fmt::format("skipped {}: {}", scene.name, *scenes_[s].skipped));
+    } else if (result.exit_code == 2) {
+      throw InputError("scene " + scene.name, message_of(result.error));
+    } else {
+      throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));
+    }
+  }
+}
+
+void StudyRunner::make_references() {
+  if (!study_.reference) return;
+  std::vector<bool> needed(scenes_.size(), false);
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (i % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index))
+      needed[runs_[i].scene] = true;
+  for_each_job(settings_.jobs, scenes_.size(), [&](std::size_t scene) {
+    if (needed[scene] && !scenes_[scene].skipped) make_reference(scene);
+  });
+  stop_if_cancelled();
+}
+
+void StudyRunner::make_reference(std::size_t scene) {
+  const StudyReference& goal = *study_.reference;
+  SceneState& state = scenes_[scene];
+  const std::string& name = study_.scenes[scene].name;
+  const fs::path folder = folders_.reference(name);
+  std::vector<std::string> arguments{"reference",    study_.scenes[scene].file.string(),
+                                     "--references", (folders_.root / "references" / "store").string(),
+                                     "--replicas",   std::to_string(goal.replicas),
+                                     "--seed",       std::to_string(study_.measuring.reference_seed),
+                                     "--out",        folder.string(),
+                                     "--force"};
+  const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
+  arguments.insert(arguments.end(), measuring.begin(), measuring.end());
+  if (goal.samples) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples)});
+  if (goal.target_error) arguments.insert(arguments.end(), {"--target-error", fmt::format("{}", *goal.target_error)});
+  const ChildLimits limits{goal.time_limit_seconds ? goal.time_limit_seconds : study_.time_limit_seconds,
+                           study_.memory_limit_bytes};
+  const ChildResult result = child(arguments, limits, "reference-" + name);
+  if (result.end == ChildEnd::cancelled) return;
+  if (const std::string reason = reason_of(result, limits); !reason.empty()) {
+    state.reference_message = "no reference: " + reason;
+    state.reference = Json();
+    tell(fmt::format("{}: {}", name, state.reference_message));
+    return;
+  }
+  state.reference = read_json_if_there(folder / reference_file).value_or(Json());
+  tell(fmt::format("{}: reference ready, {:.1f} s", name, result.seconds));
+}
+
+void StudyRunner::run_all() {
+  std::vector<const PlannedRun*> own;
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (i % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index) &&
+        !scenes_[runs_[i].scene].skipped)
+      own.push_back(&runs_[i]);
+  due_ = own.size();
+  for_each_job(settings_.jobs, own.size(), [&](std::size_t i) { run_one(*own[i]); });
+  bar_->wipe();
+}
+
+void StudyRunner::run_one(const PlannedRun& run) {
+  const StudyVariant& variant = study_.variants[run.variant];
+  const std::string key = key_of(run);
+  if (!settings_.force && is_kept(run, key)) {
+    ++finished_;
+    return;
+  }
+  fs::path made = folders_.run(run.id);
+  made += ".new";
+  std::vector<std::string> arguments{"run",
+                                     study_.scenes[run.scene].file.string(),
+                                     "--method",
+                                     variant.method,
+                                     "--out",
+                                     made.string(),
+                                     "--force",
+                                     "--seed",
+                                     std::to_string(common_.seed),
+                                     "--reference-seed",
+                                     std::to_string(study_.measuring.reference_seed),
+                                     "--references",
+                                     (folders_.root / "references" / "store").string()};
+  for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
+  const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
+  arguments.insert(arguments.end(), measuring.begin(), measuring.end());
+  if (!study_.reference) arguments.insert(arguments.end(), {"--reference", "none"});
+  std::error_code ignored;
+  fs::remove_all(made, ignored);
+  const ChildResult result = child(arguments, {study_.time_limit_seconds, study_.memory_limit_bytes}, run.id);
+  if (result.end == ChildEnd::cancelled || cancellation()->load()) {
+    fs::remove_all(made, ignored);
+    return;
+  }
+  record(run, result, key, made);
+}
+
+void StudyRunner::record(const PlannedRun& run, const ChildResult& child_result, const std::string& key, const fs::path& made) {
+  const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
+  const std::string status = status_of(child_result);
+  Json entry{{"key", key}, {"status", status}};
+  if (child_result.end == ChildEnd::exited) entry["exit_code"] = child_result.exit_code;
+  const std::string reason = reason_of(child_result, limits);
+  if (!reason.empty()) entry["message"] = reason;
+  entry["wall_seconds"] = child_result.seconds;
+  if (child_result.peak_bytes > 0) entry["peak_bytes"] = child_result.peak_bytes;
+  make_folder(made);  // there already after a run that came to its end
+  write_file_atomically(made / run_file, entry.dump(2) + "\n");
+  fs::path partial = made;
+  partial += ".partial";
+  std::error_code ignored;
+  fs::remove_all(partial, ignored);  // left by a child that was killed
+  replace_folder(made, folders_.run(run.id));
+  const std::size_t finished = ++finished_;
+  tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, run.id, status, child_result.seconds,
+                   reason.empty() ? "" : ": ", reason));
+  {
+    const std::lock_guard lock(terminal_);
+    bar_->update("", static_cast<double>(finished) / static_cast<double>(due_));
+  }
+  write_manifest();
+}
+
+bool StudyRunner::is_kept(const PlannedRun& run, const std::string& key) const {
+  const std::optional<Json> entry = read_json_if_there(folders_.run(run.id) / run_file);
+  if (!entry || entry->value("key", "") != key) return false;
+  const std::string status = entry->value("status", "");
+  return status == "done" || status == "refused" || status == "timed_out";
+}
+
+void StudyRunner::tell(const std::string& line) {
+  const std::lock_guard lock(terminal_);
+  bar_->wipe();
+  if (!common_.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+}  // namespace gibench
