@@ -7,6 +7,8 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/core/rgb.h"
 #include "common/effects/effect_plan.h"
@@ -93,6 +95,8 @@ struct MethodEntry {
   std::string light_paths;  ///< what it computes, as an OSL light-path expression
   ParameterSchema schema;
   std::unique_ptr<TransportMethod> (*make)(const Parameters&);
+  /// Settings for a rough answer in little time, a second or less in a simple room: what the contract's tests run on.
+  std::vector<std::pair<std::string, std::string>> quick = {};
 };
 
 }  // namespace gibench

@@ -1,0 +1,45 @@
+#include "tests/contract/contract.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gibench::contract {
+
+std::span<const Check> all_checks() {
+  static constexpr std::array<Check, 15> checks{{
+      {"DoublingTheLightDoublesTheAnswer", verify_doubling_the_light_doubles_the_answer},
+      {"TwoLightsAdd", verify_two_lights_add},
+      {"NoLightGivesBlack", verify_no_light_gives_black},
+      {"RelightingEqualsAFreshRun", verify_relighting_equals_a_fresh_run},
+      {"ScaleInvariance", verify_scale_invariance},
+      {"RotationInvariance", verify_rotation_invariance},
+      {"BlackWallsGiveNoIndirectLight", verify_black_walls_give_no_indirect_light},
+      {"BounceBounds", verify_bounce_bounds},
+      {"EveryValueIsWrittenAndFinite", verify_every_value_is_written_and_finite},
+      {"RefusalsAreTexts", verify_refusals_are_texts},
+      {"SameSeedSameBits", verify_same_seed_same_bits},
+      {"CancellingStopsSoon", verify_cancelling_stops_soon},
+      {"TheEntryDescribesItself", verify_the_entry_describes_itself},
+      {"UnknownParametersAreRefused", verify_unknown_parameters_are_refused},
+      {"ParametersDescribeThemselves", verify_parameters_describe_themselves},
+  }};
+  return checks;
+}
+
+const Check& find_check(const std::string& name) {
+  const auto checks = all_checks();
+  const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.name == name; });
+  if (found == checks.end()) throw std::out_of_range("no check is called " + name);
+  return *found;
+}
+
+std::string violation_of(const Check& check, const MethodEntry& entry) {
+  try {
+    check.verify(entry);
+    return {};
+  } catch (const Violation& violation) {
+    return violation.what();
+  }
+}
+
+}  // namespace gibench::contract
