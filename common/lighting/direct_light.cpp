@@ -1,121 +1,191 @@
 #include "common/lighting/direct_light.h"
 
-#include <optional>
-#include <vector>
+#include <algorithm>
+#include <array>
 
-#include "common/core/error.h"
-#include "common/core/sampling.h"
 #include "common/core/sobol.h"
-#include "common/lighting/light_sampler.h"
-#include "common/reflectance/scattering.h"
+#include "common/lighting/mis.h"
+#include "common/lighting/scene_lights.h"
+#include "common/reflectance/bsdf.h"
 
 namespace gibench {
 
 namespace {
 
-constexpr Lobe all_lobes[] = {Lobe::diffuse, Lobe::glossy, Lobe::mirror};
+constexpr std::uint32_t light_place = 0, light_choice = 1, hemisphere = 2, lobe_choice = 3;  // dimension pairs
+constexpr std::size_t batch = 32;                                                            // rays traced together
+constexpr std::size_t most_visited = 64;  // punctual lights that are each given a ray
 
-/// The surface that straight light is reflected from, seen in its own frame.
-struct Reflection {
-  const SurfaceSample& at;
-  const Scattering& surface;
+/// The surface point that light is gathered at, with the lobe that weighs it.
+struct Gatherer {
+  const World& world;
+  const SceneLights& lights;
+  const SurfaceBsdf& bsdf;
+  const SurfaceSample& sample;
   Frame frame;
-  Vec3 outgoing;  // local, unit
+  Vec3 origin;  ///< of rays
+  Vec3 out;     ///< towards the viewer, local
+  SobolSequence random;
+  RayStream& rays;
+
+  Rgb from_punctual() const;
+  Rgb from_lights(std::uint32_t begin, std::uint32_t end) const;
+  Rgb from_hemisphere(std::uint32_t begin, std::uint32_t end) const;
+  Rgb arriving(const Hit& hit, const Vec3& direction, float pdf) const;
 };
+
+/// Light on its way to the surface point, held back until its shadow rays are traced together.
+class PendingLight {
+ public:
+  PendingLight(const Gatherer& gatherer, Rgb& sum) : gatherer_(gatherer), sum_(sum) {}
+
+  /// `weighted`: by what the lobe would have found by itself.
+  void add(const LightSample& light, bool weighted) {
+    if (!(light.pdf > 0.0F)) return;
+    const Vec3 in = gatherer_.frame.to_local(light.direction);
+    const BsdfValue value = gatherer_.bsdf.evaluate(gatherer_.out, in);
+    const Rgb contribution = value.value * light.radiance * (in.z / light.pdf);
+    if (is_black(contribution)) return;
+    if (count_ == batch) trace();
+    shadow_rays_[count_] = light.shadow_ray(gatherer_.origin);
+    contributions_[count_++] = contribution * (weighted ? power_heuristic(light.pdf, value.pdf) : 1.0F);
+  }
+  void trace() {
+    std::array<std::uint8_t, batch> occluded{};
+    gatherer_.rays.occlusions({shadow_rays_.data(), count_}, {occluded.data(), count_});
+    for (std::size_t i = 0; i < count_; ++i)
+      if (!occluded[i]) sum_ += contributions_[i];
+    count_ = 0;
+  }
+
+ private:
+  const Gatherer& gatherer_;
+  Rgb& sum_;
+  std::array<Ray, batch> shadow_rays_;
+  std::array<Rgb, batch> contributions_;
+  std::size_t count_ = 0;
+};
+
+/// The sum over all punctual lights.
+Rgb Gatherer::from_punctual() const {
+  Rgb sum;
+  PendingLight pending(*this, sum);
+  for (std::size_t light = 0; light < lights.punctual_count(); ++light)
+    pending.add(lights.punctual(light, sample.position), false);
+  pending.trace();
+  return sum;
+}
+
+/// The sum over light samples [begin, end).
+Rgb Gatherer::from_lights(std::uint32_t begin, std::uint32_t end) const {
+  Rgb sum;
+  PendingLight pending(*this, sum);
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const LightSample light =
+        lights.sample(sample.position, sample.normal, random.pair(i, light_choice).x, random.pair(i, light_place).unit());
+    pending.add(light, !light.delta);
+  }
+  pending.trace();
+  return sum;
+}
+
+/// The sum over directions [begin, end) drawn from the lobe.
+Rgb Gatherer::from_hemisphere(std::uint32_t begin, std::uint32_t end) const {
+  std::array<Ray, batch> directions;
+  std::array<Hit, batch> hits;
+  std::array<BsdfSample, batch> samples;
+  std::size_t count = 0;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const BsdfSample drawn = bsdf.sample(out, random.pair(i, lobe_choice).unit().x, random.pair(i, hemisphere).unit());
+    if (is_black(drawn.weight)) continue;
+    directions[count] = {origin, 0.0F, frame.to_world(drawn.in)};
+    samples[count++] = drawn;
+  }
+  rays.closest_hits({directions.data(), count}, {hits.data(), count});
+  Rgb sum;
+  for (std::size_t i = 0; i < count; ++i) sum += samples[i].weight * arriving(hits[i], directions[i].direction, samples[i].pdf);
+  return sum;
+}
+
+/// Radiance that a ray drawn with this density (0: a mirror's) brings from a light, times its weight.
+Rgb Gatherer::arriving(const Hit& hit, const Vec3& direction, float pdf) const {
+  if (!hit) {
+    const Rgb radiance = lights.environment(direction);
+    const bool weighted = pdf > 0.0F && !is_black(radiance);
+    return weighted ? radiance * power_heuristic(pdf, lights.pdf_of_environment(sample.normal, direction)) : radiance;
+  }
+  const Object& object = world.scene().objects[world.scene().triangle_object[hit.triangle]];
+  const Rgb& radiance = lights.emission_of_material(object.material);
+  if (is_black(radiance)) return Rgb();
+  const float cosine = -glm::dot(world.normal(hit.triangle), direction);
+  if (cosine < 0.0F && !object.two_sided) return Rgb();
+  if (!(pdf > 0.0F)) return radiance;
+  return radiance * power_heuristic(pdf, lights.pdf_of_triangle(sample.position, hit.triangle, hit.distance, std::fabs(cosine)));
+}
 
 }  // namespace
 
 struct DirectLight::Impl {
   const World& world;
-  LightSampler lights;
-  std::vector<Scattering> scattering;  // of every material
+  bool visits_punctual;
+  SceneLights lights;
+  std::vector<SurfaceBsdf> bsdfs;  ///< one for each material
+  SurfaceBsdf sensor = SurfaceBsdf::diffuse(Rgb(pi));
 
-  Impl(const World& w, const Lighting& lighting) : world(w), lights(w, lighting) {
-    for (const Material& material : w.scene().materials) scattering.emplace_back(material);
+  Impl(const World& w, const Lighting& lighting)
+      : world(w),
+        visits_punctual(punctual_lights_of(lighting) <= most_visited),
+        lights(w, lighting, visits_punctual ? PunctualLights::visited : PunctualLights::sampled) {
+    for (const Material& material : w.scene().materials) bsdfs.emplace_back(material);
   }
 
-  /// Straight light reflected once, W/(m² sr).
-  Rgb reflected(const Reflection& r, std::uint64_t key, int samples, RayStream& rays) const {
+  static std::size_t punctual_lights_of(const Lighting& lighting) {
+    std::size_t count = 0;
+    for (const Light& light : lighting.lights) count += std::holds_alternative<EnvironmentLight>(light) ? 0U : 1U;
+    return count;
+  }
+
+  Rgb gather(const SurfaceBsdf& bsdf, const SurfaceSample& sample, const Vec3& out, std::uint64_t key, int samples,
+             RayStream& rays) const {
+    const Frame frame(sample.normal);
+    const Gatherer gatherer{world, lights, bsdf, sample, frame, world.ray_origin(sample), out, SobolSequence(key), rays};
+    const auto count = static_cast<std::uint32_t>(std::max(1, samples));
     Rgb sum;
-    for (const std::uint32_t light : lights.delta_lights())
-      if (const auto sample = lights.delta_light(r.at, light); sample && !rays.occluded(sample->shadow))
-        for (const Lobe lobe : all_lobes)
-          if (r.surface.has(lobe))
-            sum += sample->radiance * r.surface.times_cosine(lobe, r.outgoing, r.frame.to_local(sample->direction));
-    if (!lights.has_extended()) return sum;
-    Rgb extended;
-    for (int i = 0; i < samples; ++i) {
-      SobolSampler random(key, static_cast<std::uint32_t>(i));
-      extended += by_light(r, random, rays);
-      extended += by_lobe(r, random, rays);
+    const bool samples_lights = !bsdf.is_delta() && !lights.nothing_to_sample();
+    for (std::uint32_t begin = 0; begin < count; begin += batch) {
+      const std::uint32_t end = std::min<std::uint32_t>(count, begin + batch);
+      if (samples_lights) sum += gatherer.from_lights(begin, end);
+      if (lights.can_be_hit()) sum += gatherer.from_hemisphere(begin, end);
     }
-    return sum + extended / static_cast<float>(samples);
-  }
-
-  /// Next-event estimate over the lights that have an extent.
-  Rgb by_light(const Reflection& r, SobolSampler& random, RayStream& rays) const {
-    const Vec2 choice = random.next_pair();
-    const auto sample = lights.sample_extended(r.at, choice.x, random.next_pair());
-    if (!sample) return Rgb();
-    const Vec3 incoming = r.frame.to_local(sample->direction);
-    Rgb weight;
-    for (const Lobe lobe : all_lobes)
-      if (r.surface.has(lobe))
-        weight += r.surface.times_cosine(lobe, r.outgoing, incoming) *
-                  power_heuristic(sample->pdf, r.surface.probability(lobe) * r.surface.pdf(lobe, r.outgoing, incoming));
-    if (is_black(weight) || rays.occluded(sample->shadow)) return Rgb();
-    return weight * sample->radiance / sample->pdf;
-  }
-
-  /// Estimate by a direction of one lobe, for what the light sampler finds badly or not at all.
-  Rgb by_lobe(const Reflection& r, SobolSampler& random, RayStream& rays) const {
-    const Vec2 choice = random.next_pair();
-    const Lobe lobe = r.surface.choose(choice.x);
-    const LobeSample sample = r.surface.sample(lobe, r.outgoing, random.next_pair());
-    if (is_black(sample.weight)) return Rgb();
-    const Vec3 direction = r.frame.to_world(sample.incoming);
-    const Hit hit = rays.closest_hit({world.ray_origin(r.at), 0.0F, direction});
-    Rgb radiance;
-    float light_pdf = 0.0F;
-    if (hit) {
-      const SurfaceSample emitter = world.sample_of_hit(hit, direction);
-      radiance = lights.emission(emitter.triangle, emitter.lit_side);
-      light_pdf = lights.pdf_of_hit(r.at.position, emitter);
-    } else {
-      radiance = lights.environment(direction);
-      light_pdf = lights.pdf_of_environment(direction, r.at.normal);
-    }
-    if (is_black(radiance)) return Rgb();
-    const float probability = r.surface.probability(lobe);
-    const float share =
-        lobe == Lobe::mirror ? 1.0F : power_heuristic(probability * sample.pdf, lights.extended_factor() * light_pdf);
-    return radiance * sample.weight * (share / probability);
+    sum *= 1.0F / static_cast<float>(count);
+    if (visits_punctual && !bsdf.is_delta()) sum += gatherer.from_punctual();
+    return sum;
   }
 };
 
 DirectLight::DirectLight(const World& world, const Lighting& lighting) : impl_(std::make_unique<Impl>(world, lighting)) {}
 DirectLight::~DirectLight() = default;
 
-const LightSampler& DirectLight::lights() const { return impl_->lights; }
-bool DirectLight::dark() const { return impl_->lights.dark(); }
+Rgb DirectLight::emission(const SurfaceSample& sample) const {
+  if (!sample.lit_side) return Rgb();
+  return impl_->lights.emission_of_material(impl_->world.scene().objects[sample.object].material);
+}
+
 Rgb DirectLight::environment(const Vec3& direction) const { return impl_->lights.environment(direction); }
-Rgb DirectLight::emission(const SurfaceSample& sample) const { return impl_->lights.emission(sample.triangle, sample.lit_side); }
+
+bool DirectLight::dark() const { return impl_->lights.empty(); }
 
 Rgb DirectLight::irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const {
-  GIBENCH_CHECK(samples > 0, "an estimate takes one sample at least");
   if (!sample.lit_side || dark()) return Rgb();
-  // A receiver of irradiance is a white diffuse surface: E = π L.
-  static const Scattering white = Scattering::diffuse_only(Rgb(1.0F));
-  return pi * impl_->reflected({sample, white, Frame(sample.normal), {0.0F, 0.0F, 1.0F}}, key, samples, rays);
+  return impl_->gather(impl_->sensor, sample, {0.0F, 0.0F, 1.0F}, key, samples, rays);
 }
 
 Rgb DirectLight::radiance(const SurfaceSample& sample, const Vec3& toward_viewer, std::uint64_t key, int samples,
                           RayStream& rays) const {
-  GIBENCH_CHECK(samples > 0, "an estimate takes one sample at least");
-  if (!sample.lit_side || dark()) return Rgb();
-  const Scattering& surface = impl_->scattering[impl_->world.scene().objects[sample.object].material];
-  const Frame frame(sample.normal);
-  return emission(sample) + impl_->reflected({sample, surface, frame, frame.to_local(toward_viewer)}, key, samples, rays);
+  const Vec3 out = Frame(sample.normal).to_local(toward_viewer);
+  if (!sample.lit_side || dark() || !(out.z > 0.0F)) return Rgb();
+  const SurfaceBsdf& bsdf = impl_->bsdfs[impl_->world.scene().objects[sample.object].material];
+  return emission(sample) + impl_->gather(bsdf, sample, out, key, samples, rays);
 }
 
 }  // namespace gibench

@@ -11,8 +11,6 @@
 
 namespace gibench {
 
-class LightSampler;
-
 /// Immutable after construction, shared by all threads. Keeps references to neither argument but the World.
 class DirectLight {
  public:
@@ -25,12 +23,11 @@ class DirectLight {
   Rgb environment(const Vec3& direction) const;
   /// Whether there is no light at all.
   bool dark() const;
-  /// The light tables, for methods that sample lights themselves.
-  const LightSampler& lights() const;
 
   /// Irradiance on the sample's side straight from all lights, W/m²: point, spot and directional lights exactly, one
-  /// shadow ray each; the rest by an unbiased estimate of `samples` light samples and as many hemisphere samples,
-  /// combined by multiple importance sampling. `key` fixes the random numbers. Zero on an unlit side.
+  /// shadow ray each (up to 64 of them, else sampled); the rest by an unbiased estimate of `samples` light samples and as
+  /// many hemisphere samples, combined by multiple importance sampling. `key` fixes the random numbers: the same key
+  /// gives the same bits. Zero on an unlit side.
   Rgb irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const;
 
   /// Radiance leaving the sample towards the unit direction `toward_viewer`: emission plus straight light
