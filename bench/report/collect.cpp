@@ -27,14 +27,6 @@ fs::path inside(const fs::path& folder, const std::string& relative) {
   return folder / path;
 }
 
-/// The message with the study folder's path left out: the report is to be read elsewhere.
-std::string within(const Study& study, std::string message) {
-  const std::string prefix = study.folder.string() + "/";
-  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at))
-    message.erase(at, prefix.size());
-  return message;
-}
-
 float exposure_of(const Json& scene) {
   if (const auto value = number_at(scene, "exposure")) return static_cast<float>(*value);
   return static_cast<float>(number_at(object_at(scene, "exposure"), "value").value_or(0.0));
@@ -60,7 +52,7 @@ StudyScene scene_of(const Json& entry, Study& study) {
   try {
     scene.reference = facts_of(read_json(file));
   } catch (const InputError& error) {
-    study.warnings.push_back(within(study, error.what()));
+    study.warnings.push_back(without_folder(study, error.what()));
   }
   return scene;
 }
@@ -88,7 +80,7 @@ StudyRun run_of(const Json& entry, Study& study) {
   try {
     read_result(file, run);
   } catch (const InputError& error) {
-    const std::string problem = within(study, error.what());
+    const std::string problem = without_folder(study, error.what());
     study.warnings.push_back("run " + run.id + ": " + problem);
     if (run.status == RunStatus::done) {
       run.status = RunStatus::failed;
@@ -96,6 +88,14 @@ StudyRun run_of(const Json& entry, Study& study) {
     }
   }
   return run;
+}
+
+/// A list of objects; empty where it is absent. Throws InputError where it is something else.
+Json entries(const Json& manifest, const std::string& name, const fs::path& file) {
+  const Json list = manifest.value(name, Json::array());
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), [](const Json& item) { return item.is_object(); }))
+    throw InputError(file.string(), "\"" + name + "\" is not a list of objects", "it is damaged: run the study again");
+  return list;
 }
 
 /// Runs name scenes; one that the manifest does not list is listed, so that no result is lost.
@@ -132,10 +132,8 @@ Study collect_study(const fs::path& folder) {
   study.machine = facts_of(object_at(manifest, "machine"));
   study.settings =
       facts_of(manifest, {"gibench_study", "name", "version", "commit", "created", "machine", "scenes", "runs", "study"});
-  const Json no_entries = Json::array();
-  for (const Json& scene : manifest.value("scenes", no_entries))
-    study.scenes.push_back(scene_of(scene.is_string() ? Json{{"name", scene}} : scene, study));
-  for (const Json& run : manifest.value("runs", no_entries)) study.runs.push_back(run_of(run, study));
+  for (const Json& scene : entries(manifest, "scenes", file)) study.scenes.push_back(scene_of(scene, study));
+  for (const Json& run : entries(manifest, "runs", file)) study.runs.push_back(run_of(run, study));
   list_missing_scenes(study);
   return study;
 }

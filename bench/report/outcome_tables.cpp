@@ -89,7 +89,8 @@ Table failure_table(const Study& study) {
       table.rows.push_back(
           {text_cell(scene.name), nothing, nothing, text_cell("skipped"), nothing, nothing, text_cell(*scene.skipped)});
   for (const StudyRun& run : study.runs) {
-    if (run.status == RunStatus::done) continue;
+    const auto in_skipped_scene = [&run](const StudyScene& scene) { return scene.skipped && scene.name == run.scene; };
+    if (run.status == RunStatus::done || std::any_of(study.scenes.begin(), study.scenes.end(), in_skipped_scene)) continue;
     table.rows.push_back({text_cell(run.scene), text_cell(run.label), text_cell(run.method), text_cell(status_text(run.status)),
                           text_cell(run.exit_code ? std::to_string(*run.exit_code) : ""), seconds_cell(run.wall_seconds),
                           text_cell(run.message)});

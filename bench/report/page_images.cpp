@@ -111,7 +111,7 @@ std::vector<PagePicture> write_pictures(const Study& study, std::size_t scene, c
       pictures.push_back(write_picture(file, data_folder, slug));
       pictures.back().run = run;
     } catch (const InputError& error) {
-      warnings.emplace_back(error.what());
+      warnings.push_back(without_folder(study, error.what()));
     }
   };
   add(study.scenes[scene].reference_folder / "reference.exr", std::nullopt);

@@ -37,4 +37,11 @@ std::vector<std::size_t> Study::runs_of(const std::string& scene) const {
   return found;
 }
 
+std::string without_folder(const Study& study, std::string message) {
+  const std::string prefix = study.folder.string() + "/";
+  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at))
+    message.erase(at, prefix.size());
+  return message;
+}
+
 }  // namespace gibench::report

@@ -88,4 +88,7 @@ struct Study {
   std::vector<std::size_t> runs_of(const std::string& scene) const;
 };
 
+/// The message with the study folder's path left out: the report is read elsewhere.
+std::string without_folder(const Study& study, std::string message);
+
 }  // namespace gibench::report

@@ -44,28 +44,34 @@ std::string read_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Copies the browser builds of the plot libraries with their licences and gives the script elements that load them;
+/// empty, and a page without plots, where they are not installed.
+std::string copy_plot_libraries(const fs::path& assets) {
+  const fs::path modules = resources_folder() / "node_modules";
+  std::string scripts;
+  for (const std::string name : {"vega", "vega-lite", "vega-embed"}) {
+    const fs::path build = modules / name / "build" / (name + ".min.js");
+    if (!fs::exists(build)) return {};
+    write_text(assets / (name + ".min.js"), read_text(build));
+    write_text(assets / (name + ".LICENSE.txt"), read_text(modules / name / "LICENSE"));
+    scripts += "<script src=\"assets/" + name + ".min.js\"></script>\n";
+  }
+  return scripts;
+}
+
+std::string replaced(std::string text, const std::string& mark, const std::string& by) {
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
+    text.replace(at, mark.size(), by);
+  return text;
+}
+
 /// index.html with the study's name in its title; the rest of its text comes with the data.
 void write_page(const Study& study, const fs::path& folder) {
   const fs::path page = resources_folder() / "page";
-  std::string html = read_text(page / "index.html");
-  const std::string mark = "{{title}}";
-  for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at))
-    html.replace(at, mark.size(), escape_html(study.name));
-  write_text(folder / "index.html", html);
   for (const auto& entry : fs::directory_iterator(page))
     if (entry.path().filename() != "index.html") write_text(folder / "assets" / entry.path().filename(), read_text(entry.path()));
-}
-
-/// Copies the browser builds of the plot libraries with their licences; without them the page shows no plots.
-void copy_plot_libraries(const fs::path& folder) {
-  const fs::path modules = resources_folder() / "node_modules";
-  for (const std::string name : {"vega", "vega-lite", "vega-embed"}) {
-    const fs::path build = modules / name / "build" / (name + ".min.js");
-    if (!fs::exists(build)) return;
-    write_text(folder / "assets" / (name + ".min.js"), read_text(build));
-    if (fs::exists(modules / name / "LICENSE"))
-      write_text(folder / "assets" / (name + ".LICENSE.txt"), read_text(modules / name / "LICENSE"));
-  }
+  std::string html = replaced(read_text(page / "index.html"), "{{plot_libraries}}", copy_plot_libraries(folder / "assets"));
+  write_text(folder / "index.html", replaced(std::move(html), "{{title}}", escape_html(study.name)));
 }
 
 /// Tells the page which plot files there are.
@@ -89,7 +95,6 @@ std::vector<std::string> write_report(const Study& study, const fs::path& folder
     pictures.push_back(write_pictures(study, scene, folder / "data", warnings));
   write_tables(study, folder / "tables");
   write_page(study, folder);
-  copy_plot_libraries(folder);
   write_text(folder / "data" / "plots.js", plot_templates(resources_folder() / "plots"));
   write_text(folder / "data" / "study.js", page_data(study, pictures, warnings));
   fs::create_directories(folder / "plots");

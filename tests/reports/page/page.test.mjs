@@ -1,0 +1,248 @@
+// The report's page in headless Chromium, opened from disk: node page.test.mjs FIXTURE_PROGRAM REPORTS_FOLDER CHROMIUM
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+import test, { after, before } from "node:test";
+import { pathToFileURL } from "node:url";
+
+const [fixture, reports, browserProgram] = process.argv.slice(2);
+const lacking = !browserProgram || !existsSync(browserProgram) ? "Chromium is not installed"
+  : ["vega", "playwright-core"].find((name) => !existsSync(path.join(reports, "node_modules", name))) ? "npm ci was not run in reports/" : null;
+if (lacking) {
+  console.log(`skipped: ${lacking}`);
+  process.exit(77);
+}
+const { chromium } = createRequire(path.join(reports, "package.json"))("playwright-core");
+
+const folder = mkdtempSync(path.join(os.tmpdir(), "gibench-page-"));
+const report = path.join(folder, "report");
+const methods = ["pathtracer", "meshless", "spectral"];
+let browser;
+
+before(async () => {
+  execFileSync(fixture, [folder], { stdio: "ignore" });
+  browser = await chromium.launch({
+    executablePath: browserProgram,
+    args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+      "--disable-component-update", "--disable-sync"],
+  });
+});
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+// A page of the report; `problems` collects console errors, exceptions, failed files and requests that leave the disk.
+async function open({ width = 1280, hash = "" } = {}) {
+  const page = await browser.newPage({ viewport: { width, height: 900 } });
+  const problems = [];
+  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("requestfailed", (request) => problems.push(`${request.url()} failed`));
+  page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push(`asks ${request.url()}`); });
+  await page.goto(pathToFileURL(path.join(report, "index.html")).href + hash);
+  return { page, problems };
+}
+
+async function readThrough(page) {
+  const height = await page.evaluate(() => document.documentElement.scrollHeight);
+  for (let y = 0; y < height; y += 500) {
+    await page.evaluate((at) => scrollTo(0, at), y);
+    await page.waitForTimeout(30);
+  }
+}
+
+// The first scene's viewer with a picture of noise on the left, drawn.
+async function openViewer() {
+  const { page, problems } = await open();
+  const scene = page.locator("section.scene").first();
+  await scene.scrollIntoViewIfNeeded();
+  const stage = scene.locator(".stage");
+  await page.waitForFunction(() => document.querySelector(".stage").dataset.drawn >= "1");
+  await redrawn(page, () => scene.locator("select[id$=-left]").selectOption({ label: "pathtracer 16 spp" }));
+  return { page, problems, scene, stage };
+}
+
+// Waits until the viewer has drawn again after `change`.
+async function redrawn(page, change) {
+  const before = await page.evaluate(() => +document.querySelector(".stage").dataset.drawn);
+  await change();
+  await page.waitForFunction((count) => +document.querySelector(".stage").dataset.drawn > count, before);
+}
+
+// The stage without what lies over its pictures, so that only pixels of the pictures count.
+async function picture(page, stage) {
+  await page.addStyleTag({ content: ".divider, .corner { display: none }" });
+  return (await stage.screenshot()).toString("base64");
+}
+
+const errorPlots = ".scene .plot-figure:has(figcaption:text('against time'))";
+
+test("loads from disk without errors, warnings or requests that leave it", async () => {
+  const { page, problems } = await open();
+  await readThrough(page);
+  await page.waitForFunction(() => [...document.querySelectorAll(".plot")].every((plot) => plot.dataset.drawn === "yes"));
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("the slider moves the border between two pictures, by keys and by dragging", async () => {
+  const { page, problems, scene, stage } = await openViewer();
+  const wipe = scene.locator("input.wipe");
+  await wipe.focus();
+  await page.keyboard.press("Home");
+  const right = await picture(page, stage);
+  await page.keyboard.press("End");
+  const left = await picture(page, stage);
+  assert.notEqual(left, right);
+  const box = await stage.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.9, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.3, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  assert.ok(Math.abs((await wipe.inputValue()) - 300) <= 10);
+  const between = await picture(page, stage);
+  assert.notEqual(between, left);
+  assert.notEqual(between, right);
+  assert.match(await scene.locator(".readout").textContent(), /Pixel \d+, \d+ · pathtracer 16 spp: .* · .* W/);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("exposure, light and error maps change the pixels", async () => {
+  const { page, problems, scene, stage } = await openViewer();
+  const seen = [await picture(page, stage)];
+  const check = async (change) => {
+    await redrawn(page, change);
+    const now = await picture(page, stage);
+    assert.ok(!seen.includes(now));
+    seen.push(now);
+  };
+  await check(async () => { await scene.locator("input.exposure").focus(); await page.keyboard.press("ArrowLeft"); });
+  await check(() => scene.locator(".controls label:has(input[value=indirect])").click());
+  await check(() => scene.locator("label:has(input[value=relative])").click());
+  assert.match(await scene.locator(".colour-bar").textContent(), /^0 %2\.5 %5 %7\.5 %≥ 10 %$/);
+  await check(async () => { await scene.locator("input.error-range").focus(); await page.keyboard.press("ArrowRight"); });
+  await check(() => scene.locator("label:has(input[value=absolute])").click());
+  await check(() => scene.locator("button.tile").nth(2).click());
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("pixels arrive as they were written", async () => {
+  const { page } = await openViewer();
+  const worst = await page.evaluate(async () => {
+    const reference = gibench.study.scenes[0].pictures.find((picture) => picture.run === null);
+    const values = await gibench.pixels.values(reference, "indirect");
+    let worst = 0;
+    for (let row = 0; row < reference.height; row += 1)
+      for (let column = 0; column < reference.width; column += 1) {
+        const x = (column + 0.5) / reference.width, y = (row + 0.5) / reference.height, lit = 0.6 + 0.6 * y;
+        [0.35 * (1 - x) + 0.05, 0.12, 0.3 * x + 0.05].forEach((albedo, channel) => {
+          const value = values[(row * reference.width + column) * 3 + channel];
+          worst = Math.max(worst, Math.abs(value / (albedo * lit) - 1));
+        });
+      }
+    return worst;
+  });
+  assert.ok(worst < 2 ** -10, `relative error ${worst}`);
+  await page.close();
+});
+
+test("every plot of error against time shows every method, and has its table", async () => {
+  const { page } = await open();
+  await readThrough(page);
+  const plots = page.locator(errorPlots);
+  assert.equal(await plots.count(), 2);
+  for (let k = 0; k < 2; k += 1) {
+    await plots.nth(k).locator(".plot[data-drawn=yes] svg").waitFor();
+    const labels = await plots.nth(k).locator(".role-legend-label text").allTextContents();
+    const points = await plots.nth(k).locator("path[aria-roledescription=point]").evaluateAll((marks) => marks.map((mark) => mark.getAttribute("aria-label")));
+    assert.equal(points.length, 9);
+    for (const method of methods) {
+      assert.ok(labels.includes(method), `${method} is in the legend`);
+      assert.ok(points.some((label) => label.includes(`Method: ${method}`)), `${method} has points`);
+    }
+  }
+  assert.deepEqual(await page.locator("section.scene figure.table tbody").evaluateAll((bodies) => bodies.map((body) => body.rows.length)), [9, 13]);
+  await page.close();
+});
+
+test("every choice of domain, light and metric works", async () => {
+  const { page, problems } = await open();
+  const keys = await page.evaluate(() => gibench.study.keys);
+  for (const [index, key] of keys.entries()) {
+    await page.locator(`#error-choice label:has(input[value=${key.domain}])`).click();
+    await page.locator(`#error-choice label:has(input[value=${key.component}])`).click();
+    await page.locator("#metric").selectOption(key.metric);
+    assert.equal(await page.evaluate(() => document.body.dataset.key), String(index));
+    const drawn = page.locator(errorPlots).first().locator(".plot[data-drawn=yes] svg");
+    await page.locator(errorPlots).first().scrollIntoViewIfNeeded();
+    await drawn.waitFor();
+    const title = await page.evaluate((k) => gibench.study.metrics[k].title, key.metric);
+    assert.ok((await drawn.locator(".role-axis-title text").allTextContents()).some((text) => text.startsWith(title)), title);
+    assert.ok((await page.locator("section.scene figure.table thead").first().textContent()).includes(title));
+    await page.evaluate(() => scrollTo(0, 0));
+  }
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("text from scenes and messages stays text", async () => {
+  const { page } = await open();
+  await readThrough(page);
+  assert.equal(await page.evaluate(() => window.escaped), undefined);
+  assert.ok((await page.locator("#failures").textContent()).includes("<img src=x onerror="));
+  assert.ok((await page.locator("h2").allTextContents()).includes('two <rooms> & a "wall" _100%_ | $x^2$'));
+  await page.close();
+});
+
+test("failures, effects and the manifest are shown", async () => {
+  const { page } = await open();
+  const failures = await page.locator("#failures tbody").textContent();
+  for (const status of ["refused", "timed out", "crashed", "failed", "skipped"]) assert.ok(failures.includes(status), status);
+  assert.ok((await page.locator("#effects").textContent()).includes("missing"));
+  const manifest = await page.locator("#manifest").textContent();
+  for (const fact of ["0123456789abcdef0123456789abcdef01234567", "Test processor", "seed"]) assert.ok(manifest.includes(fact), fact);
+  await page.close();
+});
+
+test("controls have names, and a narrow window does not scroll sideways", async () => {
+  const { page } = await open({ width: 390 });
+  await readThrough(page);
+  const nameless = await page.evaluate(() => [...document.querySelectorAll("main input, main select, main button, nav input, nav select")]
+    .filter((control) => !control.getAttribute("aria-label") && !control.textContent.trim() && !control.labels?.length).map((control) => control.outerHTML));
+  assert.deepEqual(nameless, []);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await page.close();
+});
+
+test("plots are there as SVG and PDF of the same specifications", () => {
+  const names = readdirSync(path.join(report, "plots")).filter((name) => name.endsWith(".vl.json")).map((name) => name.slice(0, -8));
+  assert.ok(names.includes("ranking") && names.includes("scene-1-cornell-box-surface-indirect"));
+  for (const name of names) {
+    const svg = readFileSync(path.join(report, "plots", `${name}.svg`), "utf8");
+    assert.match(svg, /^<svg [^]*<\/svg>\s*$/);
+    if (name.endsWith("surface-indirect")) for (const method of methods) assert.ok(svg.includes(`>${method}<`), `${name}: ${method}`);
+    assert.equal(readFileSync(path.join(report, "plots", `${name}.pdf`)).subarray(0, 5).toString(), "%PDF-");
+  }
+});
+
+test("without the plot libraries the tables remain, and nothing is asked for in vain", async () => {
+  const bare = path.join(folder, "bare");
+  execFileSync("cp", ["-r", reports, bare]);
+  rmSync(path.join(bare, "node_modules"), { recursive: true });
+  const out = path.join(folder, "without");
+  execFileSync(fixture, [out], { stdio: "ignore", env: { ...process.env, GIBENCH_REPORTS: bare } });
+  const page = await browser.newPage();
+  const problems = [];
+  page.on("console", (message) => problems.push(message.text()));
+  page.on("requestfailed", (request) => problems.push(request.url()));
+  await page.goto(pathToFileURL(path.join(out, "report", "index.html")).href);
+  assert.equal(await page.locator("section.scene").first().locator("figure.table tbody tr").count(), 9);
+  assert.deepEqual(problems, []);
+  await page.close();
+});

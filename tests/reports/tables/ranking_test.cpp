@@ -1,0 +1,142 @@
+#include "bench/report/ranking.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bench/report/study_tables.h"
+
+namespace gibench::report {
+namespace {
+
+const ErrorKey key{"surface", "indirect", "relative_rmse"};
+
+StudyRun run_of(const std::string& scene, const std::string& method, const std::string& label, double seconds, double error) {
+  StudyRun run;
+  run.scene = scene;
+  run.method = method;
+  run.label = label;
+  run.status = RunStatus::done;
+  run.seconds["shade_surface"] = seconds;
+  run.errors[key] = {.value = error, .low = {}, .high = {}, .noise_floor = 1e-4};
+  return run;
+}
+
+Study study_of(const std::vector<std::string>& scenes, std::vector<StudyRun> runs) {
+  Study study;
+  for (const std::string& name : scenes) study.scenes.emplace_back().name = name;
+  study.runs = std::move(runs);
+  return study;
+}
+
+const RankingRow& row_of(const std::vector<RankingRow>& rows, const std::string& label) {
+  for (const RankingRow& row : rows)
+    if (row.label == label) return row;
+  throw std::runtime_error("no row " + label);
+}
+
+TEST(BaselineCurve, InterpolatesInLogLogAndContinuesWithTheSlope) {
+  const BaselineCurve curve({{4.0, 0.1}, {1.0, 0.2}}, -0.5);
+  EXPECT_NEAR(curve.seconds_at(0.2)->seconds, 1.0, 1e-12);
+  EXPECT_FALSE(curve.seconds_at(0.2)->extrapolated);
+  EXPECT_NEAR(curve.seconds_at(0.1)->seconds, 4.0, 1e-12);
+  EXPECT_NEAR(curve.seconds_at(0.2 / std::sqrt(2.0))->seconds, 2.0, 1e-12);
+  EXPECT_NEAR(curve.seconds_at(0.01)->seconds, 400.0, 1e-9);
+  EXPECT_TRUE(curve.seconds_at(0.01)->extrapolated);
+  EXPECT_NEAR(curve.seconds_at(0.4)->seconds, 0.25, 1e-12);
+  EXPECT_TRUE(curve.seconds_at(0.4)->extrapolated);
+}
+
+TEST(BaselineCurve, LeavesOutRunsThatCheaperOnesBeat) {
+  const BaselineCurve curve({{1.0, 0.2}, {2.0, 0.3}, {4.0, 0.1}}, -0.5);
+  EXPECT_NEAR(curve.seconds_at(0.2 / std::sqrt(2.0))->seconds, 2.0, 1e-12);
+}
+
+TEST(BaselineCurve, SaysNothingWithoutPointsOrSlope) {
+  EXPECT_FALSE(BaselineCurve({}, -0.5).seconds_at(0.1));
+  EXPECT_FALSE(BaselineCurve({{1.0, 0.2}, {4.0, 0.1}}, {}).seconds_at(0.01));
+  EXPECT_TRUE(BaselineCurve({{1.0, 0.2}, {4.0, 0.1}}, {}).seconds_at(0.15));
+  EXPECT_FALSE(BaselineCurve({{1.0, 0.2}}, -0.5).seconds_at(0.0));
+  EXPECT_FALSE(BaselineCurve({{1.0, 0.0}, {0.0, 0.1}}, -0.5).seconds_at(0.1));
+}
+
+TEST(SpeedUp, BelowTheNoiseFloorIsALowerBound) {
+  const BaselineCurve curve({{1.0, 0.2}, {4.0, 0.1}}, -0.5);
+  StudyRun run = run_of("a", "m", "m", 1.0, 1e-6);
+  run.errors[key].below_noise_floor = true;
+  run.errors[key].noise_floor = 0.05;
+  const auto speed = speed_up(curve, run, key);
+  EXPECT_NEAR(speed->factor, 16.0, 1e-9);
+  EXPECT_TRUE(speed->at_least);
+}
+
+TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
+  const BaselineCurve curve({{1.0, 0.2}, {4.0, 0.1}}, -0.5);
+  StudyRun run = run_of("a", "m", "m", 1.0, 0.1);
+  EXPECT_FALSE(speed_up(curve, run, {"image", "indirect", "relative_rmse"}));
+  run.status = RunStatus::timed_out;
+  EXPECT_FALSE(speed_up(curve, run, key));
+  run.status = RunStatus::done;
+  run.seconds.clear();
+  EXPECT_FALSE(speed_up(curve, run, key));
+}
+
+TEST(TransportSeconds, AddsTheStagesOfTheDomain) {
+  StudyRun run;
+  run.seconds = {{"load", 100.0}, {"prepare", 1.0}, {"light", 2.0}, {"shade_surface", 4.0}, {"shade", 12.0}};
+  EXPECT_DOUBLE_EQ(*run.transport_seconds("surface"), 7.0);
+  EXPECT_DOUBLE_EQ(*run.transport_seconds("image"), 15.0);
+  run.seconds = {{"load", 1.0}, {"prepare", 1.0}};
+  EXPECT_FALSE(run.transport_seconds("surface"));
+}
+
+TEST(Ranking, GeometricMeanRanksAndFront) {
+  const Study study =
+      study_of({"a", "b"}, {run_of("a", "pathtracer", "pt 1", 1.0, 0.2), run_of("a", "pathtracer", "pt 4", 4.0, 0.1),
+                            run_of("a", "m", "m", 0.1, 0.1), run_of("b", "pathtracer", "pt 1", 1.0, 0.2),
+                            run_of("b", "pathtracer", "pt 4", 4.0, 0.1), run_of("b", "m", "m", 0.4, 0.1)});
+  const auto rows = rank(study, key);
+  const RankingRow& m = row_of(rows, "m");
+  EXPECT_EQ(rows.front().label, "m");
+  EXPECT_NEAR(m.scenes[0].speed_up->factor, 40.0, 1e-9);
+  EXPECT_NEAR(m.scenes[1].speed_up->factor, 10.0, 1e-9);
+  EXPECT_NEAR(*m.geometric_mean, 20.0, 1e-9);
+  EXPECT_EQ(m.scenes[0].error_rank, 1);
+  EXPECT_EQ(m.on_front, 2);
+  EXPECT_EQ(row_of(rows, "pt 4").scenes[0].error_rank, 1);
+  EXPECT_EQ(row_of(rows, "pt 4").on_front, 0);
+  EXPECT_EQ(row_of(rows, "pt 1").scenes[0].error_rank, 3);
+  EXPECT_NEAR(*row_of(rows, "pt 1").geometric_mean, 1.0, 1e-12);
+}
+
+TEST(Ranking, MoreAnsweredScenesComeFirstAndFailuresAreCounted) {
+  StudyRun refused = run_of("b", "m", "m", 0.0, 0.0);
+  refused.status = RunStatus::refused;
+  refused.errors.clear();
+  const Study study = study_of({"a", "b"}, {run_of("a", "pathtracer", "pt", 1.0, 0.2), run_of("b", "pathtracer", "pt", 1.0, 0.2),
+                                            run_of("a", "m", "m", 0.001, 0.1), refused});
+  const auto rows = rank(study, key);
+  EXPECT_EQ(rows.front().label, "pt");
+  EXPECT_EQ(row_of(rows, "m").compared, 1);
+  EXPECT_EQ(row_of(rows, "m").not_done, 1);
+  const Table table = ranking_table(study, key, rows);
+  EXPECT_EQ(table.rows.back().back().text, "refused");
+}
+
+TEST(Ranking, RunsOfOneLabelOnOneSceneKeepTheirOwnRows) {
+  const Study study = study_of(
+      {"a"}, {run_of("a", "pathtracer", "pt", 1.0, 0.2), run_of("a", "m", "m", 0.5, 0.1), run_of("a", "m", "m", 0.25, 0.1)});
+  EXPECT_EQ(rank(study, key).size(), 3U);
+}
+
+TEST(Ranking, WithoutPathTracerThereAreRanksButNoSpeedUps) {
+  const Study study = study_of({"a"}, {run_of("a", "m", "m", 0.5, 0.1), run_of("a", "n", "n", 0.5, 0.2)});
+  const auto rows = rank(study, key);
+  EXPECT_EQ(rows[0].label, "m");
+  EXPECT_FALSE(rows[0].geometric_mean);
+  EXPECT_EQ(rows[1].scenes[0].error_rank, 2);
+  EXPECT_EQ(ranking_table(study, key, rows).rows[0][2].text, "–");
+}
+
+}  // namespace
+}  // namespace gibench::report

@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bench/report/collect.h"
+#include "bench/report/method_style.h"
+#include "bench/report/page_data.h"
+#include "bench/report/study_tables.h"
+#include "common/core/error.h"
+#include "tests/reports/fixture/study_fixture.h"
+
+namespace gibench::report {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class StudyFixture : public testing::Test {
+ protected:
+  StudyFixture() { gibench::test::write_study_fixture(folder_); }
+  ~StudyFixture() override { fs::remove_all(folder_); }
+
+  fs::path folder_ = [] {
+    std::string name = (fs::temp_directory_path() / "gibench-study-XXXXXX").string();
+    return fs::path(mkdtemp(name.data()));
+  }();
+};
+
+const StudyRun& run_named(const Study& study, const std::string& id) {
+  for (const StudyRun& run : study.runs)
+    if (run.id == id) return run;
+  throw std::runtime_error("no run " + id);
+}
+
+std::string message_of(const fs::path& folder) {
+  try {
+    collect_study(folder);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(StudyFixture, CollectsWhatTheRecordsSay) {
+  const Study study = collect_study(folder_);
+  EXPECT_EQ(study.scenes.size(), 3U);
+  EXPECT_FLOAT_EQ(study.scenes[0].exposure, 0.5F);
+  EXPECT_EQ(study.scenes[2].skipped, "its model is not on GIBENCH_PATH");
+  const StudyRun& run = run_named(study, "run-1-5");
+  EXPECT_EQ(run.label, "meshless 3 levels");
+  EXPECT_DOUBLE_EQ(*run.transport_seconds("surface"), 0.05);
+  EXPECT_EQ(run.method_bytes, 200'000U);
+  EXPECT_EQ(run.seed, 1U);
+  const MeasuredError* error = run.error({"surface", "indirect", "relative_rmse"});
+  EXPECT_NEAR(error->value, 0.2 / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(*error->low, error->value * 0.95, 1e-12);
+  EXPECT_EQ(run.error({"surface", "direct", "relative_rmse"}), nullptr);
+  EXPECT_THAT(run.effects->missing, ElementsAre("glossy_final_bounce"));
+}
+
+TEST_F(StudyFixture, BrokenRecordIsAFailedRunWithAWarning) {
+  const Study study = collect_study(folder_);
+  const StudyRun& run = run_named(study, "broken");
+  EXPECT_EQ(run.status, RunStatus::failed);
+  EXPECT_THAT(run.message, HasSubstr("not valid JSON"));
+  EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("run broken: runs/broken/result.json")));
+  EXPECT_EQ(run_named(study, "late").status, RunStatus::timed_out);
+  EXPECT_TRUE(run_named(study, "late").errors.empty());
+}
+
+TEST_F(StudyFixture, RecordOfTheWrongShapeIsAFailedRun) {
+  for (const std::string text : {"[1, 2]", "{\"errors\": {\"indirect\": {\"surface\": 3}}}",
+                                 "{\"errors\": {\"indirect\": {\"surface\": {\"rmse\": \"x\"}}}}", ""}) {
+    std::ofstream(folder_ / "runs" / "run-1-1" / "result.json") << text;
+    EXPECT_NO_THROW({
+      const Study study = collect_study(folder_);
+      EXPECT_TRUE(run_named(study, "run-1-1").errors.empty()) << text;
+    });
+  }
+}
+
+TEST_F(StudyFixture, PathsThatLeadOutAreNotFollowed) {
+  std::ofstream(folder_ / "manifest.json")
+      << R"({"gibench_study": 1, "runs": [{"id": "a", "scene": "s", "method": "m", "status": "refused", "folder": "../x"}]})";
+  EXPECT_TRUE(collect_study(folder_).runs[0].folder.empty());
+}
+
+TEST_F(StudyFixture, WhatIsNoStudyIsRefused) {
+  EXPECT_THAT(message_of(folder_ / "nowhere"), HasSubstr("is not a folder"));
+  EXPECT_THAT(message_of(folder_ / "runs"), HasSubstr("holds no manifest.json"));
+  std::ofstream(folder_ / "manifest.json") << "{\"gibench_study\": 1,";
+  EXPECT_THAT(message_of(folder_), HasSubstr("manifest.json"));
+  std::ofstream(folder_ / "manifest.json") << "{\"something\": 1}";
+  EXPECT_THAT(message_of(folder_), HasSubstr("no study manifest"));
+  std::ofstream(folder_ / "manifest.json") << R"({"gibench_study": 1, "scenes": {"a": 1}, "runs": 7})";
+  EXPECT_THAT(message_of(folder_), HasSubstr("manifest.json"));
+}
+
+TEST_F(StudyFixture, SceneTableShowsADashForWhatWasNotMeasured) {
+  const Study study = collect_study(folder_);
+  const Table table = scene_table(study, 0, {"surface", "indirect", "relative_rmse"});
+  ASSERT_EQ(table.rows.size(), 9U);
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  EXPECT_EQ(table.rows[0][0].text, "pathtracer 16 spp");
+  EXPECT_EQ(table.rows[0][3].text, "40.0 % [38.0, 42.4]");
+  EXPECT_EQ(table.rows[0][7].text, "–");  // the path tracer prepares nothing
+  EXPECT_EQ(table.rows[0][7].raw, "");
+  EXPECT_EQ(table.rows[4][5].text, "40.0×");
+  EXPECT_EQ(table.rows[8][3].text, "≤ 0.400 %");
+  EXPECT_THAT(table.rows[8][5].text, HasSubstr("≥ "));
+}
+
+TEST_F(StudyFixture, TablesOfTheWholeStudy) {
+  const Study study = collect_study(folder_);
+  const Table failures = failure_table(study);
+  ASSERT_EQ(failures.rows.size(), 5U);
+  EXPECT_EQ(failures.rows[0][0].text, "sibenik");
+  EXPECT_EQ(failures.rows[2][3].text, "timed out");
+  const Table matrix = effect_matrix(study);
+  EXPECT_EQ(matrix.columns.size(), 6U);
+  EXPECT_EQ(matrix.rows.size(), 6U);
+  for (const auto& row : matrix.rows) EXPECT_EQ(row.size(), matrix.columns.size());
+  EXPECT_EQ(run_table(study).rows.size(), study.runs.size());
+  std::size_t errors = 0;
+  for (const StudyRun& run : study.runs) errors += run.errors.size();
+  EXPECT_EQ(error_table(study).rows.size(), errors);
+}
+
+TEST_F(StudyFixture, DefaultErrorIsIndirectLightAtTheSurface) {
+  const auto keys = measured_keys(collect_study(folder_));
+  EXPECT_EQ(keys.front(), (ErrorKey{"surface", "indirect", "relative_rmse"}));
+  EXPECT_EQ(keys.size(), 3U * 8U + 3U * 12U);
+}
+
+TEST_F(StudyFixture, PageDataIsSafeInsideAScript) {
+  Study study = collect_study(folder_);
+  study.runs[0].message = "\xff\xfe broken bytes";
+  const std::string data = page_data(study, std::vector<std::vector<PagePicture>>(study.scenes.size()), {});
+  EXPECT_THAT(data, Not(HasSubstr("</script>")));
+  EXPECT_THAT(data, HasSubstr("<\\/script>"));
+  EXPECT_THAT(data, testing::StartsWith("gibench.study = {"));
+}
+
+TEST_F(StudyFixture, ScenesGetFileNamesWithoutSurprises) {
+  const Study study = collect_study(folder_);
+  EXPECT_EQ(scene_slug(study, 0), "scene-1-cornell-box");
+  EXPECT_EQ(scene_slug(study, 1), "scene-2-two-rooms-a-wall-100-x-2");
+}
+
+TEST_F(StudyFixture, EveryMethodHasAStyleOfItsOwn) {
+  Study study = collect_study(folder_);
+  for (const std::string method : {"wavelet", "ifield", "new one"}) study.runs.emplace_back().method = method;
+  const auto styles = method_styles(study);
+  EXPECT_EQ(styles.front().method, "pathtracer");
+  std::set<std::string> colours, shapes;
+  for (const MethodStyle& style : styles) {
+    colours.insert(style.colour);
+    shapes.insert(style.shape);
+  }
+  EXPECT_EQ(styles.size(), 7U);
+  EXPECT_EQ(colours.size(), styles.size());
+  EXPECT_EQ(shapes.size(), styles.size());
+  for (int extra = 0; extra < 10; ++extra) study.runs.emplace_back().method = "extra " + std::to_string(extra);
+  EXPECT_EQ(method_styles(study).size(), 17U);
+}
+
+}  // namespace
+}  // namespace gibench::report
