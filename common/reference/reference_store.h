@@ -36,18 +36,31 @@ struct Reference {
   ReferenceValues image;                  ///< W/(m² sr), row-major from the top
 };
 
-/// Hash of everything in the scene that light transport sees (not names or file paths).
+/// Hash of everything in the scene that light transport sees: geometry, materials, lights and environment pixels, in
+/// their order. Not names, file paths, the origin, cameras, exposure, edits or reconstruction groups.
 std::string scene_key(const Scene& scene);
 /// The folder name of a reference: hash of scene_key, question and the store's format version.
 std::string reference_key(const Scene& scene, const ReferenceQuestion& question);
 
+/// Adds the samples of `more` to `into`, replicate by replicate, weighted by their numbers: the same, to rounding, as if
+/// all had been taken at once. The replicates of `more` must come from other random numbers (a continued sequence, or
+/// another shard). InputError where the two answer different questions or differ in their replicates.
+void merge(Reference& into, const Reference& more);
+
+/// Root mean square of the standard errors over the root mean square of the values, over values and channels: what the
+/// reference's own noise is, as a share. Empty without values, with under two replicates, or where all values are 0.
+std::optional<double> relative_standard_error(const Replicas& replicas);
+
+/// References in folders, one each, named by their key: meta.json, which a reader understands (scene, question,
+/// samples, seconds, relative standard errors), and the replicates as little-endian floats with a checksum.
 class ReferenceStore {
  public:
   explicit ReferenceStore(std::filesystem::path folder);
 
   /// Empty where there is none. Throws InputError for a damaged one, with its file.
   std::optional<Reference> find(const Scene& scene, const ReferenceQuestion& question) const;
-  /// Writes or replaces the reference of this question, whole.
+  /// Writes or replaces the reference of this question, whole: a reader, or the next run after a kill, finds the old
+  /// one or the new one. InputError if the store cannot be written.
   void save(const Scene& scene, const Reference& reference) const;
   std::filesystem::path folder_of(const Scene& scene, const ReferenceQuestion& question) const;
 

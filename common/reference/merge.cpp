@@ -1,0 +1,72 @@
+#include <cmath>
+
+#include "common/core/error.h"
+#include "common/reference/reference_store.h"
+
+namespace gibench {
+
+namespace {
+
+void check_mergeable(bool agree, const std::string& problem) {
+  if (!agree)
+    throw InputError("reference", "two parts cannot be merged: " + problem, "make both parts from the same call and version");
+}
+
+bool same_view(const std::optional<Camera>& a, const std::optional<Camera>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->position == b->position && a->look_at == b->look_at && a->up == b->up &&
+         a->vertical_fov_degrees == b->vertical_fov_degrees && a->width == b->width && a->height == b->height;
+}
+
+void check_same_question(const ReferenceQuestion& a, const ReferenceQuestion& b) {
+  check_mergeable(a.path_class == b.path_class, "their path classes are " + a.path_class + " and " + b.path_class);
+  check_mergeable(a.seed == b.seed && a.surface_samples == b.surface_samples && a.pixel_samples == b.pixel_samples,
+                  "their seeds or numbers of samples differ");
+  check_mergeable(same_view(a.camera, b.camera), "their cameras differ");
+}
+
+void check_same_shape(const Replicas& a, const Replicas& b) {
+  check_mergeable(a.count() == b.count(),
+                  "they have " + std::to_string(a.count()) + " and " + std::to_string(b.count()) + " replicates");
+  check_mergeable(a.size() == b.size(), "they have " + std::to_string(a.size()) + " and " + std::to_string(b.size()) + " values");
+}
+
+/// into ← (1 − share) into + share more, in double.
+void blend(Replicas& into, const Replicas& more, double share) {
+  for (std::size_t r = 0; r < into.count(); ++r)
+    for (std::size_t i = 0; i < into.size(); ++i)
+      into.replicas[r][i] = Rgb((1.0 - share) * RgbDouble(into.replicas[r][i]) + share * RgbDouble(more.replicas[r][i]));
+}
+
+}  // namespace
+
+void merge(Reference& into, const Reference& more) {
+  check_same_question(into.question, more.question);
+  for (const auto values : {&Reference::surface, &Reference::image})
+    for (const auto component : {&ReferenceValues::direct, &ReferenceValues::indirect})
+      check_same_shape(into.*values.*component, more.*values.*component);
+  const std::uint64_t samples = into.samples_per_replica + more.samples_per_replica;
+  if (more.samples_per_replica > 0) {
+    const double share = static_cast<double>(more.samples_per_replica) / static_cast<double>(samples);
+    for (const auto values : {&Reference::surface, &Reference::image})
+      for (const auto component : {&ReferenceValues::direct, &ReferenceValues::indirect})
+        blend(into.*values.*component, more.*values.*component, share);
+  }
+  into.samples_per_replica = samples;
+  into.seconds += more.seconds;
+}
+
+std::optional<double> relative_standard_error(const Replicas& replicas) {
+  if (replicas.size() == 0 || replicas.count() < 2) return std::nullopt;
+  const std::vector<Rgb> mean = replicas.mean(), variance = replicas.variance_of_mean();
+  RgbDouble squares, variances;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    squares += RgbDouble(mean[i]) * RgbDouble(mean[i]);
+    variances += RgbDouble(variance[i]);
+  }
+  const double values = squares.r + squares.g + squares.b;
+  if (!(values > 0.0)) return std::nullopt;
+  return std::sqrt((variances.r + variances.g + variances.b) / values);
+}
+
+}  // namespace gibench
