@@ -1,0 +1,184 @@
+#include "methods/pathtracer/path_batch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/sampling.h"
+#include "common/lighting/mis.h"
+
+namespace gibench::pathtracer {
+
+namespace {
+
+constexpr int lossless_reflections = 256;  // after so many, even a path that lost nothing may end at random …
+constexpr float most_survival = 0.998F;    // … with this probability to go on: a closed world of mirrors comes to an end
+
+}  // namespace
+
+PathBatch::PathBatch(const PathScene& scene, const SceneLights& lights, const Settings& settings, const PathBounds& bounds,
+                     RayStream& rays)
+    : scene_(scene), lights_(lights), settings_(settings), bounds_(bounds), rays_(rays) {
+  paths_.reserve(capacity);
+  ray_.reserve(capacity);
+  pending_.reserve(capacity);
+  pending_number_.reserve(capacity);
+  hit_.resize(capacity);
+  occluded_.resize(capacity);
+}
+
+void PathBatch::trace(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light) {
+  random_ = random;
+  light_ = light;
+  std::fill(light.begin(), light.end(), PathLight());
+  if (!asked.lit || lights_.empty()) return;
+  start(asked);
+  const int last = bounds_.indirect ? bounds_.most_reflections : 0;
+  for (int reflection = 0; reflection <= last && !paths_.empty(); ++reflection) {
+    if (reflection > 0 || bounds_.direct)
+      for (std::uint32_t sample = 0; sample < settings_.light_samples; ++sample) sample_lights(reflection, sample);
+    if (reflection == last && !lights_.can_be_hit()) return;
+    scatter(reflection);
+    arrive(reflection);
+  }
+}
+
+void PathBatch::trace_openness(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light) {
+  std::fill(light.begin(), light.end(), PathLight());
+  if (!asked.lit) return;
+  ray_.clear();
+  const Frame frame(asked.normal);
+  for (const PathRandom& path : random)
+    ray_.push_back({asked.origin, 0.0F, frame.to_world(cosine_hemisphere(path.pair(0, Use::direction).unit()))});
+  rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
+  for (std::size_t i = 0; i < random.size(); ++i) light[i].direct = Rgb(occluded_[i] ? 0.0F : 1.0F);
+}
+
+void PathBatch::start(const AskedSurface& asked) {
+  paths_.clear();
+  for (std::uint32_t number = 0; number < random_.size(); ++number) {
+    Path path{asked.position, asked.normal, asked.origin, asked.out, &asked.bsdf, Rgb(asked.factor), 1.0F, 0.0F, number};
+    if (asked.draws_out) path.out = Frame(asked.normal).to_world(cosine_hemisphere(random_[number].pair(0, Use::out).unit()));
+    paths_.push_back(path);
+  }
+}
+
+/// Next-event estimation: one way to a light from every path's newest vertex.
+void PathBatch::sample_lights(int reflection, std::uint32_t light_sample) {
+  ray_.clear();
+  pending_.clear();
+  pending_number_.clear();
+  for (const Path& path : paths_) {
+    if (path.bsdf->is_delta()) continue;
+    const PathRandom& random = random_[path.number];
+    add_light_sample(path, lights_.sample(path.position, path.normal, random.pair(reflection, Use::light_choice, light_sample).x,
+                                          random.pair(reflection, Use::light_place, light_sample).unit()));
+  }
+  rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
+  for (std::size_t i = 0; i < ray_.size(); ++i) {
+    if (occluded_[i]) continue;
+    PathLight& light = light_[pending_number_[i]];
+    (reflection == 0 ? light.direct : light.indirect) += pending_[i];
+  }
+}
+
+void PathBatch::add_light_sample(const Path& path, const LightSample& light) {
+  if (!(light.pdf > 0.0F)) return;
+  const Frame frame(path.normal);
+  const Vec3 in = frame.to_local(light.direction);
+  const BsdfValue value = path.bsdf->evaluate(frame.to_local(path.out), in);
+  const auto samples = static_cast<float>(settings_.light_samples);
+  const float density = samples * light.pdf;
+  const float weight = light.delta ? 1.0F : power_heuristic(density, value.pdf);
+  const Rgb contribution = path.throughput * value.value * light.radiance * (in.z * weight / density);
+  if (is_black(contribution)) return;
+  ray_.push_back(light.shadow_ray(path.origin));
+  pending_.push_back(contribution);
+  pending_number_.push_back(path.number);
+}
+
+/// Draws the ray that leaves every path's newest vertex; paths that carry nothing any more end.
+void PathBatch::scatter(int reflection) {
+  ray_.clear();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    Path path = paths_[i];
+    const PathRandom& random = random_[path.number];
+    const Vec2 choices = random.pair(reflection, Use::lobe_and_roulette).unit();
+    const Frame frame(path.normal);
+    const BsdfSample sample =
+        path.bsdf->sample(frame.to_local(path.out), choices.x, random.pair(reflection, Use::direction).unit());
+    path.throughput *= sample.weight;
+    if (is_black(path.throughput)) continue;
+    if (reflection == 0) path.scale = largest(path.throughput);
+    if (!survives(path, reflection, choices.y)) continue;
+    path.pdf = sample.pdf;
+    ray_.push_back({path.origin, 0.0F, frame.to_world(sample.in)});
+    paths_[kept++] = path;
+  }
+  paths_.resize(kept);
+}
+
+/// Russian roulette on the throughput relative to the first vertex's (Arvo and Kirk 1990): a survivor carries more.
+bool PathBatch::survives(Path& path, int reflection, float random) const {
+  if (reflection < settings_.roulette_start) return true;
+  float survival = largest(path.throughput) / (path.scale * settings_.roulette_below);
+  if (reflection >= lossless_reflections) survival = std::min(survival, most_survival);
+  if (survival >= 1.0F) return true;
+  if (random >= survival) return false;
+  path.throughput *= 1.0F / survival;
+  return true;
+}
+
+/// Follows the rays to what they meet, takes its light, and makes it the paths' newest vertex.
+void PathBatch::arrive(int reflection) {
+  rays_.closest_hits(ray_, {hit_.data(), ray_.size()});
+  const bool wanted = reflection > 0 || bounds_.direct;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    Path path = paths_[i];
+    const Vec3& direction = ray_[i].direction;
+    if (wanted) {
+      const Rgb met = hit_[i] ? emission_met(path, hit_[i], direction) : environment_met(path, direction);
+      PathLight& light = light_[path.number];
+      (reflection == 0 ? light.direct : light.indirect) += path.throughput * met;
+    }
+    if (hit_[i] && reach(path, hit_[i], direction)) paths_[kept++] = path;
+  }
+  paths_.resize(kept);
+}
+
+/// False where the path meets a back: it is black.
+bool PathBatch::reach(Path& path, const Hit& hit, const Vec3& direction) {
+  const PathTriangle& triangle = scene_.triangles[hit.triangle];
+  const bool front = glm::dot(triangle.normal, direction) <= 0.0F;
+  if (!front && triangle.two_sided == 0U) return false;
+  SurfaceSample sample;
+  sample.position = path.position = triangle.position(hit);
+  sample.normal = path.normal = front ? triangle.normal : -triangle.normal;
+  sample.triangle = hit.triangle;
+  path.origin = scene_.world.ray_origin(sample);
+  path.out = -direction;
+  path.bsdf = &scene_.bsdfs[triangle.material];
+  return true;
+}
+
+/// Emission of the surface that the ray met, weighed against the light samples that could have found it.
+Rgb PathBatch::emission_met(const Path& path, const Hit& hit, const Vec3& direction) const {
+  const PathTriangle& triangle = scene_.triangles[hit.triangle];
+  const Rgb& radiance = lights_.emission_of_material(triangle.material);
+  if (is_black(radiance)) return Rgb();
+  const float cosine = -glm::dot(triangle.normal, direction);
+  if (cosine < 0.0F && triangle.two_sided == 0U) return Rgb();
+  if (!(path.pdf > 0.0F)) return radiance;
+  const float density = lights_.pdf_of_triangle(path.position, hit.triangle, hit.distance, std::fabs(cosine));
+  return radiance * power_heuristic(path.pdf, static_cast<float>(settings_.light_samples) * density);
+}
+
+Rgb PathBatch::environment_met(const Path& path, const Vec3& direction) const {
+  const Rgb radiance = lights_.environment(direction);
+  if (!(path.pdf > 0.0F) || is_black(radiance)) return radiance;
+  const float density = lights_.pdf_of_environment(path.normal, direction);
+  return radiance * power_heuristic(path.pdf, static_cast<float>(settings_.light_samples) * density);
+}
+
+}  // namespace gibench::pathtracer

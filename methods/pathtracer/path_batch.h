@@ -1,0 +1,81 @@
+/// The paths of one value, some hundreds at a time, all advanced by one reflection before any is advanced by two:
+/// their rays leave in packets, and the first ones all from one point.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/lighting/scene_lights.h"
+#include "common/ray/ray_stream.h"
+#include "methods/pathtracer/asked_surface.h"
+#include "methods/pathtracer/path_random.h"
+#include "methods/pathtracer/path_scene.h"
+#include "methods/pathtracer/settings.h"
+
+namespace gibench::pathtracer {
+
+/// Which light is wanted.
+struct PathBounds {
+  bool direct = true, indirect = true;
+  int most_reflections = 0;  ///< between a light and the asked surface; for indirect light
+};
+
+/// What one path brought, in the value's unit.
+struct PathLight {
+  Rgb direct, indirect;
+};
+
+/// One thread's workspace; made once for many values.
+class PathBatch {
+ public:
+  static constexpr std::size_t capacity = 256;  ///< paths
+
+  PathBatch(const PathScene& scene, const SceneLights& lights, const Settings& settings, const PathBounds& bounds,
+            RayStream& rays);
+
+  /// Traces one path for each of `random` (at most `capacity`); `light` is as long.
+  void trace(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light);
+  /// Accessibility: one cosine-distributed ray for each of `random`; 1 in `direct` where it meets no surface.
+  void trace_openness(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light);
+
+ private:
+  /// A path at its newest vertex.
+  struct Path {
+    Vec3 position, normal;  ///< of the lit side, in world space
+    Vec3 origin;            ///< of rays that leave
+    Vec3 out;               ///< unit, towards the vertex before
+    const SurfaceBsdf* bsdf;
+    Rgb throughput;      ///< from the light leaving along −out … to the value
+    float scale = 1.0F;  ///< largest channel of the throughput after the first vertex
+    float pdf = 0.0F;    ///< with which the ray that leaves was drawn, 1/sr; 0: by a mirror
+    std::uint32_t number = 0;
+  };
+
+  void start(const AskedSurface& asked);
+  void sample_lights(int reflection, std::uint32_t light_sample);
+  void add_light_sample(const Path& path, const LightSample& light);
+  void scatter(int reflection);
+  bool survives(Path& path, int reflection, float random) const;
+  void arrive(int reflection);
+  bool reach(Path& path, const Hit& hit, const Vec3& direction);
+  Rgb emission_met(const Path& path, const Hit& hit, const Vec3& direction) const;
+  Rgb environment_met(const Path& path, const Vec3& direction) const;
+
+  const PathScene& scene_;
+  const SceneLights& lights_;
+  const Settings settings_;
+  const PathBounds bounds_;
+  RayStream& rays_;
+
+  std::span<const PathRandom> random_;
+  std::span<PathLight> light_;
+  std::vector<Path> paths_;  ///< those still alive
+  std::vector<Ray> ray_;
+  std::vector<Hit> hit_;
+  std::vector<std::uint8_t> occluded_;
+  std::vector<Rgb> pending_;  ///< what each shadow ray brings if it is free
+  std::vector<std::uint32_t> pending_number_;
+};
+
+}  // namespace gibench::pathtracer

@@ -1,0 +1,59 @@
+#include "methods/pathtracer/pathtracer.h"
+
+#include <memory>
+
+#include "methods/pathtracer/shade_job.h"
+
+namespace gibench {
+
+namespace pathtracer {
+
+namespace {
+
+class PathTracer final : public TransportMethod {
+ public:
+  explicit PathTracer(const Settings& settings) : settings_(settings) {}
+
+  Capabilities capabilities() const noexcept override {
+    Capabilities can;
+    can.effects = {all_effects().begin(), all_effects().end()};
+    can.quantities = {Quantity::radiance, Quantity::irradiance, Quantity::radiosity, Quantity::accessibility};
+    can.variance = settings_.replicates >= 2 && settings_.samples >= 2;
+    can.relights = true;
+    return can;
+  }
+  std::size_t bytes() const override { return (scene_ ? scene_->bytes() : 0) + (lights_ ? lights_->bytes() : 0); }
+
+ private:
+  void do_prepare(Task&, StageReport&) override { scene_ = std::make_unique<PathScene>(world()); }
+  void do_light(const Lighting& lighting, Task&, StageReport&) override {
+    lights_ = std::make_unique<SceneLights>(world(), lighting);
+  }
+  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    if (request.samples.empty()) return;
+    ShadeJob(*scene_, *lights_, settings_, plan().max_bounces, request, answer, task).run();
+  }
+
+  Settings settings_;
+  std::unique_ptr<PathScene> scene_;
+  std::unique_ptr<SceneLights> lights_;
+};
+
+}  // namespace
+
+}  // namespace pathtracer
+
+MethodEntry pathtracer_entry() {
+  MethodEntry entry;
+  entry.name = "pathtracer";
+  entry.summary = "path tracing with next-event estimation and multiple importance sampling; unbiased: the reference";
+  entry.source = "Kajiya 1986, The Rendering Equation; Veach 1997, Robust Monte Carlo Methods for Light Transport Simulation";
+  entry.light_paths = "C.*[LOB]";
+  entry.schema = pathtracer::settings_schema();
+  entry.make = [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
+    return std::make_unique<pathtracer::PathTracer>(pathtracer::settings_from(parameters));
+  };
+  return entry;
+}
+
+}  // namespace gibench
