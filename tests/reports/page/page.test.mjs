@@ -158,7 +158,7 @@ test("every plot of error against time shows every method, and has its table", a
   const plots = page.locator(errorPlots);
   assert.equal(await plots.count(), 2);
   for (let k = 0; k < 2; k += 1) {
-    await plots.nth(k).locator(".plot[data-drawn=yes] svg").waitFor();
+    await plots.nth(k).locator(".plot[data-drawn=yes] svg.marks").waitFor();
     const labels = await plots.nth(k).locator(".role-legend-label text").allTextContents();
     const points = await plots.nth(k).locator("path[aria-roledescription=point]").evaluateAll((marks) => marks.map((mark) => mark.getAttribute("aria-label")));
     assert.equal(points.length, 9);
@@ -175,11 +175,13 @@ test("every choice of domain, light and metric works", async () => {
   const { page, problems } = await open();
   const keys = await page.evaluate(() => gibench.study.keys);
   for (const [index, key] of keys.entries()) {
+    // Every metric of both domains, and every component: not the whole product, which would take minutes.
+    if (key.component !== "indirect" && key.metric !== "relative_rmse") continue;
     await page.locator(`#error-choice label:has(input[value=${key.domain}])`).click();
     await page.locator(`#error-choice label:has(input[value=${key.component}])`).click();
     await page.locator("#metric").selectOption(key.metric);
     assert.equal(await page.evaluate(() => document.body.dataset.key), String(index));
-    const drawn = page.locator(errorPlots).first().locator(".plot[data-drawn=yes] svg");
+    const drawn = page.locator(errorPlots).first().locator(".plot[data-drawn=yes] svg.marks");
     await page.locator(errorPlots).first().scrollIntoViewIfNeeded();
     await drawn.waitFor();
     const title = await page.evaluate((k) => gibench.study.metrics[k].title, key.metric);
