@@ -1,9 +1,8 @@
 #include "common/scene/model_file.h"
 
-#include <assimp/postprocess.h>
-
 #include <algorithm>
 #include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cctype>
 #include <mutex>
@@ -129,17 +128,17 @@ ModelFile read_model(const std::filesystem::path& file, const std::string& place
   auto* const files = new ModelFiles(file, place);
   importer.SetIOHandler(files);  // which owns it
   const aiScene* scene = importer.ReadFile(file.string(), 0);
+  if (!log.line_with("out-of-range indices").empty())  // else Assimp leaves such faces out
+    throw InputError(place, "the model file " + shown + " has a face with a vertex index out of range", "export it again");
   if (scene == nullptr)
     throw InputError(place, "the model file " + shown + " cannot be read: " + importer.GetErrorString(),
                      "it may be cut short or damaged; copy or export it again");
-  if (!log.line_with("out-of-range indices").empty())
-    throw InputError(place, "the model file " + shown + " has a face with a vertex index out of range", "export it again");
 
   ModelFile model;
-  const std::vector<ObjectGeometry> meshes = read_meshes(importer, place, model.warnings);
+  const std::vector<ObjectGeometry> meshes = read_meshes(*scene, place, model.warnings);
   add_parts(*scene, meshes, files->shift(), model);
   if (model.parts.empty()) throw InputError(place, "the model file " + shown + " has no faces", "use a model with surfaces");
-  warn_of_lost_precision(file, model);
+  if (files->shift() == Vec3d(0.0)) warn_of_lost_precision(file, model);
   std::vector<bool> used(scene->mNumMaterials, false);
   for (const ModelPart& part : model.parts) used[part.material] = with_materials;
   read_model_materials(*scene, file, used, model);

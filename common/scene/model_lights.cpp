@@ -82,7 +82,8 @@ void read_model_cameras(const aiScene& scene, bool is_gltf, ModelFile& model) {
     made.camera.vertical_fov_degrees = static_cast<float>(degrees);
     made.camera.height = picture_height;
     made.camera.width = static_cast<int>(std::clamp(std::round(picture_height * aspect), 1.0, 16384.0));
-    made.position = transform.apply(to_vec(source.mPosition));
+    // Assimp gives glTF cameras the translation of their node a second time, as their position in it.
+    made.position = transform.apply(is_gltf ? Vec3d(0.0) : to_vec(source.mPosition));
     made.look_at = made.position + view;
     model.cameras.push_back(made);
   }

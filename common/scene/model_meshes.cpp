@@ -1,5 +1,4 @@
-#include <assimp/postprocess.h>
-
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <unordered_map>
@@ -8,6 +7,7 @@
 #include "common/core/hash.h"
 #include "common/scene/model_scene.h"
 #include "common/scene/names.h"
+#include "common/scene/polygon.h"
 
 namespace gibench {
 
@@ -47,73 +47,59 @@ std::vector<std::uint32_t> read_vertices(const aiMesh& mesh, std::vector<Vec3d>&
   return index_of;
 }
 
-/// Adds the mesh's triangles and quads; counts what has fewer corners, and the triangles that larger polygons make.
-struct FaceCounts {
-  std::size_t points_and_lines = 0, triangles_of_polygons = 0;
-};
-FaceCounts add_small_faces(const aiMesh& mesh, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry,
-                           const std::string& place) {
-  FaceCounts counts;
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    const auto name = [&] { return "face " + std::to_string(f) + " of mesh " + in_quotes(mesh.mName.C_Str()); };
-    if (face.mNumIndices == 0)
-      throw InputError(place, name() + " has no corners", "the file is damaged or cut short; export it again");
-    for (unsigned i = 0; i < face.mNumIndices; ++i)
-      if (face.mIndices[i] >= mesh.mNumVertices)
-        throw InputError(place,
-                         name() + " has vertex index " + std::to_string(face.mIndices[i]) + ", and there are " +
-                             std::to_string(mesh.mNumVertices) + " vertices",
-                         "mend the index or export the file again");
-    if (face.mNumIndices < 3) ++counts.points_and_lines;
-    if (face.mNumIndices > 4) counts.triangles_of_polygons += face.mNumIndices - 2;
-    if (face.mNumIndices != 3 && face.mNumIndices != 4) continue;
-    Face added;
-    for (unsigned i = 0; i < 4; ++i) added.corners[i] = index_of[face.mIndices[std::min(i, face.mNumIndices - 1)]];
-    geometry.faces.push_back(added);
-  }
-  return counts;
+void check_face(const aiMesh& mesh, unsigned f, const std::string& place) {
+  const aiFace& face = mesh.mFaces[f];
+  const auto name = [&] { return "face " + std::to_string(f) + " of mesh " + in_quotes(mesh.mName.C_Str()); };
+  if (face.mNumIndices == 0)
+    throw InputError(place, name() + " has no corners", "the file is damaged or cut short; export it again");
+  for (unsigned i = 0; i < face.mNumIndices; ++i)
+    if (face.mIndices[i] >= mesh.mNumVertices)
+      throw InputError(place,
+                       name() + " has vertex index " + std::to_string(face.mIndices[i]) + ", and there are " +
+                           std::to_string(mesh.mNumVertices) + " vertices",
+                       "mend the index or export the file again");
 }
 
-/// Leaves only the faces of more than four corners in a mesh.
-void keep_polygons(aiMesh& mesh) {
-  std::vector<aiFace> polygons;
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f)
-    if (mesh.mFaces[f].mNumIndices > 4) polygons.push_back(mesh.mFaces[f]);
-  delete[] mesh.mFaces;
-  mesh.mFaces = new aiFace[polygons.size()];
-  std::copy(polygons.begin(), polygons.end(), mesh.mFaces);
-  mesh.mNumFaces = static_cast<unsigned>(polygons.size());
-  mesh.mPrimitiveTypes = polygons.empty() ? 0 : aiPrimitiveType_POLYGON;
+void add_polygon(const aiMesh& mesh, const aiFace& face, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry) {
+  std::vector<Vec3d> corners;
+  for (unsigned i = 0; i < face.mNumIndices; ++i) corners.push_back(to_vec(mesh.mVertices[face.mIndices[i]]));
+  for (const auto& [a, b, c] : triangulate_polygon(corners)) {
+    const std::uint32_t last = index_of[face.mIndices[c]];
+    geometry.faces.push_back({{index_of[face.mIndices[a]], index_of[face.mIndices[b]], last, last}});
+  }
+}
+
+/// Adds the mesh's faces; returns the number of points and lines, which are left out.
+std::size_t add_faces(const aiMesh& mesh, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry,
+                      const std::string& place) {
+  std::size_t left_out = 0;
+  geometry.faces.reserve(mesh.mNumFaces);
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    check_face(mesh, f, place);
+    if (face.mNumIndices < 3) {
+      ++left_out;
+    } else if (face.mNumIndices > 4) {
+      add_polygon(mesh, face, index_of, geometry);
+    } else {
+      Face added;
+      for (unsigned i = 0; i < 4; ++i) added.corners[i] = index_of[face.mIndices[std::min(i, face.mNumIndices - 1)]];
+      geometry.faces.push_back(added);
+    }
+  }
+  return left_out;
 }
 
 }  // namespace
 
-std::vector<ObjectGeometry> read_meshes(Assimp::Importer& importer, const std::string& place,
-                                        std::vector<std::string>& warnings) {
-  const aiScene& scene = *importer.GetScene();
+std::vector<ObjectGeometry> read_meshes(const aiScene& scene, const std::string& place, std::vector<std::string>& warnings) {
   std::vector<ObjectGeometry> meshes(scene.mNumMeshes);
-  std::vector<std::vector<std::uint32_t>> index_of(scene.mNumMeshes);
-  std::vector<std::size_t> expected(scene.mNumMeshes, 0);  // triangles of polygons
-  std::size_t points_and_lines = 0, polygon_triangles = 0;
+  std::size_t left_out = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    index_of[m] = read_vertices(*scene.mMeshes[m], meshes[m].vertices);
-    const FaceCounts counts = add_small_faces(*scene.mMeshes[m], index_of[m], meshes[m], place);
-    points_and_lines += counts.points_and_lines;
-    polygon_triangles += expected[m] = counts.triangles_of_polygons;
+    const std::vector<std::uint32_t> index_of = read_vertices(*scene.mMeshes[m], meshes[m].vertices);
+    left_out += add_faces(*scene.mMeshes[m], index_of, meshes[m], place);
   }
-  if (points_and_lines > 0) warnings.push_back(std::to_string(points_and_lines) + " points and lines are left out");
-  if (polygon_triangles == 0) return meshes;
-
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) keep_polygons(*scene.mMeshes[m]);
-  importer.ApplyPostProcessing(aiProcess_Triangulate);
-  std::size_t lost = 0;
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    if (expected[m] == 0) continue;
-    add_small_faces(*scene.mMeshes[m], index_of[m], meshes[m], place);
-    lost += expected[m] - std::min<std::size_t>(expected[m], scene.mMeshes[m]->mNumFaces);
-  }
-  if (lost > 0) warnings.push_back(std::to_string(lost) + " triangles of crossed polygons could not be made and are left out");
+  if (left_out > 0) warnings.push_back(std::to_string(left_out) + " points and lines are left out");
   return meshes;
 }
 

@@ -3,7 +3,6 @@
 
 #include <assimp/scene.h>
 
-#include <assimp/Importer.hpp>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,9 @@
 
 namespace gibench {
 
-/// Vertices and faces of every mesh, without node transforms: triangles and quads as they are, larger polygons through
-/// Assimp's triangulation (which then leaves only these in the importer's scene). Warnings tell what was left out.
-std::vector<ObjectGeometry> read_meshes(Assimp::Importer& importer, const std::string& place, std::vector<std::string>& warnings);
+/// Vertices and faces of every mesh, without node transforms: triangles and quads as they are, larger polygons as
+/// triangles. Warnings tell what was left out.
+std::vector<ObjectGeometry> read_meshes(const aiScene& scene, const std::string& place, std::vector<std::string>& warnings);
 
 /// Adds a ModelMaterial for every material of the scene. A material with anything that is not simulated or out of
 /// range gives one warning.
