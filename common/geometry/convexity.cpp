@@ -10,8 +10,8 @@ namespace gibench {
 
 namespace {
 
-constexpr std::size_t most_pairs = 200'000'000;
-constexpr int extreme_directions = 512;
+constexpr std::size_t most_pairs = 100'000'000;
+constexpr int extreme_directions = 128;
 
 struct Plane {
   Vec3 normal;   // unit

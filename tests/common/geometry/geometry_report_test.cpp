@@ -168,7 +168,7 @@ TEST(GeometryReport, BallsWithAndWithoutADent) {
   EXPECT_FALSE(report_geometry(ball(12, 24, dented)).convex);
   // So large that extreme vertices stand for all.
   const Scene large = ball(100, 400, round);
-  ASSERT_GT(large.vertices.size() * large.triangles.size(), 200'000'000U);
+  ASSERT_GT(large.vertices.size() * large.triangles.size(), 100'000'000U);
   const GeometryReport report = report_geometry(large);
   EXPECT_TRUE(report.convex);
   EXPECT_NEAR(report.volume, 4.0 / 3.0 * pi_double, 0.005);
