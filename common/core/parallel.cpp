@@ -62,6 +62,10 @@ void parallel_chunks(int threads, std::size_t count, std::size_t chunk_size, con
     const FlushDenormals flush;
     body({chunk * chunk_size, std::min(count, (chunk + 1) * chunk_size), chunk});
   };
+  if (chunks <= 1 || threads == 1) {  // an arena costs more than a small loop
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
+    return;
+  }
   // More threads than cores gain nothing, and TBB would warn about them on stderr.
   tbb::task_arena arena(threads > 0 ? std::min(threads, hardware_threads()) : tbb::task_arena::automatic);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk, tbb::simple_partitioner()); });

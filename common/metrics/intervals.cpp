@@ -1,5 +1,6 @@
 #include "common/metrics/intervals.h"
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
@@ -10,6 +11,8 @@
 namespace gibench {
 
 namespace {
+
+constexpr std::size_t values_per_chunk = 16384;
 
 double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -34,11 +37,14 @@ Interval student_interval(double value, std::span<const double> influences) {
 std::vector<double> slope_influences(std::span<const Rgb> slope, const Replicas& reference, std::span<const Rgb> mean) {
   GIBENCH_CHECK(slope.size() == reference.size() && mean.size() == reference.size(), "one slope for each value");
   std::vector<double> influences(reference.count());
-  parallel_chunks(0, influences.size(), 1, [&](const ChunkRange& range) {
-    const std::vector<Rgb>& replica = reference.replicas[range.chunk];
-    RgbDouble sum;
-    for (std::size_t i = 0; i < slope.size(); ++i) sum += RgbDouble(slope[i] * (replica[i] - mean[i]));
-    influences[range.chunk] = (sum.r + sum.g + sum.b) / (3.0 * static_cast<double>(slope.size()));
+  const std::size_t replicas_per_chunk = std::max<std::size_t>(1, values_per_chunk / std::max<std::size_t>(1, slope.size()));
+  parallel_chunks(0, influences.size(), replicas_per_chunk, [&](const ChunkRange& range) {
+    for (std::size_t r = range.begin; r < range.end; ++r) {
+      const std::vector<Rgb>& replica = reference.replicas[r];
+      RgbDouble sum;
+      for (std::size_t i = 0; i < slope.size(); ++i) sum += RgbDouble(slope[i] * (replica[i] - mean[i]));
+      influences[r] = (sum.r + sum.g + sum.b) / (3.0 * static_cast<double>(slope.size()));
+    }
   });
   return influences;
 }
