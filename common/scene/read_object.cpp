@@ -111,8 +111,13 @@ void read_object(const json& value, const JsonPlace& place, const std::filesyste
     object.material = find_material(builder.scene(), material->get<std::string>(), place["material"]);
   if (value.contains("file")) return read_file_object(value, std::move(object), place, folder, builder);
   ObjectGeometry geometry = read_inline_geometry(value, place);
+  const std::size_t given = geometry.vertices.size();
   transform_geometry(read_transform(value, place), geometry);
   builder.add_object(std::move(object), std::move(geometry), place.text());
+  const Object& added = builder.scene().objects.back();
+  if (const std::size_t unused = given - (added.vertex_end - added.vertex_begin); unused > 0)
+    builder.scene().warnings.push_back("object " + in_quotes(added.name) + ": " + std::to_string(unused) +
+                                       " vertices belong to no face and are left out");
 }
 
 }  // namespace gibench

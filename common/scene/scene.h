@@ -84,19 +84,24 @@ struct Camera {
   int width = 512, height = 512;  ///< pixels
 };
 
+// Edits are made one after the other, each on top of those before it. An object's name also stands for the
+// objects "name/…" that a model file was split into by its materials.
+
+/// Turned about the centre of the object's bounding box (about x, then y, then z), then moved.
 struct MoveEdit {
   std::string object;
-  Vec3d translate{0};
+  Vec3d translate{0};  ///< metres
   Vec3d rotate_degrees{0};
 };
 struct MaterialEdit {
   std::string material;
-  Material after;
+  Material after;  ///< whole, with what earlier edits changed
 };
 struct LightEdit {
   std::size_t light;
-  Light after;
+  Light after;  ///< whole, with what earlier edits changed
 };
+/// Other geometry for an object, from a model file.
 struct DeformEdit {
   std::string object;
   std::filesystem::path file;

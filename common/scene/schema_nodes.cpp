@@ -40,6 +40,8 @@ bool has_listed_type(const json& value, const json& types) {
 
 /// A value as it stands in a message, shortened.
 std::string shown(const json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "a list";
   std::string text = value.dump(-1, ' ', true);
   if (text.size() > 40) text = text.substr(0, 37) + "...";
   return text;

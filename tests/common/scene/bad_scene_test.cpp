@@ -42,7 +42,7 @@ const std::vector<BadScene>& wrong_forms() {
       {"UnknownEditKey", "/edits/0/by", 1, "$.edits[0]", "unknown key \"by\"", "move, rotate_degrees, translate"},
       {"UnknownExposureKey", "/exposure/stops", 1, "$.exposure", "unknown key \"stops\"", "start, stop, value"},
       {"Version", "/gibench_scene", 2, "$.gibench_scene", "2 is not 1", "the version of the format"},
-      {"TopIsAList", "", json::array(), "$", "[] is of the wrong type", "a scene: NAME.scene.json"},
+      {"TopIsAList", "", json::array(), "$", "a list is of the wrong type", "a scene: NAME.scene.json"},
       {"NameIsANumber", "/name", 3, "$.name", "3 is of the wrong type", "a text"},
       {"EmptyName", "/objects/0/name", "", "$.objects[0].name", "the text is empty", "a text that no other object has"},
       {"NoObjects", "/objects", json::array(), "$.objects", "a list of 0 values", "at least one object"},

@@ -118,6 +118,7 @@ TEST(SceneFile, OriginIsTheCentreOfTheBox) {
   const Scene scene = load(text);
   expect_near(scene.origin, {0.5, 0.5, 0.0}, 0.0);
   EXPECT_EQ(scene.vertices.size(), 4U);
+  EXPECT_THAT(scene.warnings, ElementsAre(testing::HasSubstr("1 vertices belong to no face")));
 }
 
 TEST(SceneFile, MaterialsOfEveryKind) {
