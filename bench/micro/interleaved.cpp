@@ -14,7 +14,7 @@ namespace {
 
 // Blocks of a few milliseconds: most of them pass undisturbed on a busy machine, and the median is taken of those.
 constexpr std::size_t rays_per_block = 1U << 13, rays_per_chunk = 1U << 10;
-constexpr std::uint64_t shuffle_stage = 1, direction_stage = 2;
+constexpr std::uint64_t shuffle_stage = 1, direction_stage = 2, lamp_stage = 3;
 
 Vec3 cosine_direction(const Vec3& normal, float first, float second) {
   const float radius = std::sqrt(first), angle = 2.0F * pi * second;
@@ -43,18 +43,18 @@ void trace_block(const TraceRays& trace, std::span<const Ray> rays, int threads,
   for (const Run& chunk : chunks) run.seconds += chunk.seconds, run.checksum += chunk.checksum;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 bool agree(const Run& a, const Run& b) {
   const auto first = static_cast<double>(a.checksum), second = static_cast<double>(b.checksum);
   return std::fabs(first - second) <= 1e-3 * std::max(first, second);
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 std::vector<Ray> cosine_rays(const World& world, const RaySet& set) {
   std::vector<SurfaceSample> samples = area_uniform_samples(world, set.count / set.rays_per_point, set.seed);
@@ -67,6 +67,22 @@ std::vector<Ray> cosine_rays(const World& world, const RaySet& set) {
     RandomStream random(set.seed, direction_stage, i);
     const float first = random.next_float(), second = random.next_float();
     rays.push_back({world.ray_origin(from), 0.0F, cosine_direction(from.normal, first, second), set.length});
+  }
+  return rays;
+}
+
+std::vector<Ray> rays_to_lamp(const World& world, const RaySet& set) {
+  const Scene& scene = world.scene();
+  std::vector<std::uint32_t> lamp;
+  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
+    if (!is_black(scene.material_of_triangle(t).emission)) lamp.push_back(t);
+  std::vector<Ray> rays = cosine_rays(world, set);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    RandomStream random(set.seed, lamp_stage, i);
+    const float root = std::sqrt(random.next_float()), second = random.next_float();
+    const Vec3 target = world.position(lamp[random.next_bits() % lamp.size()], {root * (1.0F - second), root * second});
+    rays[i].direction = target - rays[i].origin;
+    rays[i].t_max = 1.0F - 1e-4F;
   }
   return rays;
 }

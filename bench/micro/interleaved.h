@@ -23,6 +23,11 @@ struct RaySet {
 };
 std::vector<Ray> cosine_rays(const World& world, const RaySet& set);
 
+/// Segments from such points to points of the emitting triangles, in no order: the shadow rays of next-event estimation.
+std::vector<Ray> rays_to_lamp(const World& world, const RaySet& set);
+
+double median(std::vector<double> values);
+
 /// Traces these rays and gives a checksum of what they met.
 using TraceRays = std::function<std::uint64_t(std::span<const Ray>)>;
 

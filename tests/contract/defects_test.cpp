@@ -101,6 +101,8 @@ const WrongEntry wrong_entries[] = {
      "ParametersDescribeThemselves", "the default of shape is refused"},
     {"HasTheSameParameterTwice", [](MethodEntry& e) { e.schema.push_back(e.schema[0]); }, "ParametersDescribeThemselves",
      "two parameters called points"},
+    {"HasNoPlainParameterName", [](MethodEntry& e) { e.schema[2].name = "lively?"; }, "ParametersDescribeThemselves",
+     "no plain name"},
     {"DoesNotSayWhatItMeans", [](MethodEntry& e) { e.schema[2].meaning.clear(); }, "ParametersDescribeThemselves",
      "lively does not say"},
 };

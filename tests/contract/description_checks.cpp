@@ -16,9 +16,13 @@ namespace {
 
 bool is_one_line(const std::string& text) { return !text.empty() && text.find('\n') == std::string::npos; }
 
-/// Lower case, digits and underscores: what can be typed after `--set` and named in a study file.
-bool is_plain_name(const std::string& name) {
-  return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+constexpr const char* lower_case = "abcdefghijklmnopqrstuvwxyz0123456789_";
+/// A paper's symbols keep their capitals.
+constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
+/// What can be typed after `--method` or `--set` and named in a study file.
+bool is_plain_name(const std::string& name, const char* allowed) {
+  return !name.empty() && name.find_first_not_of(allowed) == std::string::npos;
 }
 
 /// The message with which a setting is refused; empty where it is taken.
@@ -45,7 +49,7 @@ void verify_range(const MethodEntry& entry, const ParameterSpec& spec, double va
 }
 
 void verify_parameter(const MethodEntry& entry, const ParameterSpec& spec) {
-  if (!is_plain_name(spec.name)) throw Violation(fmt::format("'{}' is no plain name of a parameter", spec.name));
+  if (!is_plain_name(spec.name, letters)) throw Violation(fmt::format("'{}' is no plain name of a parameter", spec.name));
   if (!is_one_line(spec.meaning)) throw Violation(spec.name + " does not say in one line what it means");
   if (!is_one_line(describe_type(spec))) throw Violation(spec.name + " does not describe its type");
   if (const auto* whole = std::get_if<std::int64_t>(&spec.default_value)) verify_range(entry, spec, static_cast<double>(*whole));
@@ -61,7 +65,7 @@ void verify_parameter(const MethodEntry& entry, const ParameterSpec& spec) {
 }  // namespace
 
 void verify_the_entry_describes_itself(const MethodEntry& entry) {
-  if (!is_plain_name(entry.name)) throw Violation(fmt::format("'{}' is no plain name of a method", entry.name));
+  if (!is_plain_name(entry.name, lower_case)) throw Violation(fmt::format("'{}' is no plain name of a method", entry.name));
   for (const auto& [what, text] :
        {std::pair{"summary", &entry.summary}, {"source", &entry.source}, {"light_paths", &entry.light_paths}})
     if (!is_one_line(*text)) throw Violation(fmt::format("its {} is not one line of text", what));
