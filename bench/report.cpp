@@ -1,6 +1,8 @@
 #include "bench/report.h"
 
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
+
+#include <cstdio>
 
 #include "bench/output_folder.h"
 #include "bench/report/collect.h"
@@ -12,9 +14,10 @@ std::filesystem::path run_report(const std::filesystem::path& study_folder, cons
   const report::Study study = report::collect_study(study_folder);
   const std::filesystem::path target = out.empty() ? study_folder / "report" : out;
   OutputFolder output(target, report::report_marker, true);
-  for (const std::string& warning : report::write_report(study, output.partial())) spdlog::warn("{}", warning);
+  for (const std::string& warning : report::write_report(study, output.partial()))
+    fmt::print(stderr, "gibench: warning: {}\n", warning);
   output.commit();
-  if (!quiet) spdlog::info("report: {}", (target / "index.html").string());
+  if (!quiet) fmt::print("report: {}\n", (target / "index.html").string());
   return target;
 }
 
