@@ -17,7 +17,7 @@ std::vector<Rgb> exposed(std::span<const Rgb> pixels, float stops) {
 std::vector<Rgb> display_values(std::span<const Rgb> pixels, float stops) {
   const float scale = std::exp2(stops);
   std::vector<Rgb> encoded(pixels.size());
-  parallel_chunks(0, pixels.size(), 8192, [&](const ChunkRange& range) {
+  parallel_chunks(0, pixels.size(), 16384, [&](const ChunkRange& range) {
     for (std::size_t i = range.begin; i < range.end; ++i) encoded[i] = linear_to_srgb(clamp_unit(scale * pixels[i]));
   });
   return encoded;

@@ -55,6 +55,12 @@ ErrorValue absolute_error(const HalvedReference& reference, const MetricEstimate
   return error_against_mean(estimate.value, student_interval(estimate.value, reference.influences(estimate)), floor);
 }
 
+/// The maximum picks the value whose noise is largest: it may be too large by all of the largest noise.
+ErrorValue largest(const HalvedReference& reference, const MetricEstimate& estimate, double floor) {
+  const Interval interval = student_interval(estimate.value, reference.influences(estimate));
+  return with_floor({estimate.value, std::max(0.0, interval.low - floor), interval.high, {}, false}, floor);
+}
+
 using Metric = MetricEstimate (*)(std::span<const Rgb>, const ReferenceMeans&);
 
 /// What a metric gives for values whose only error is the reference's own noise.
@@ -87,7 +93,7 @@ ErrorTable errors_of_values(std::span<const Rgb> values, const HalvedReference& 
   table["rel_mse_trim(0.1%)"] = squared(trimmed_relative_squared_error);
   table["mape(0.01)"] = absolute(mean_absolute_percentage_error);
   table["smape(0.02)"] = absolute(symmetric_mean_absolute_percentage_error);
-  table["max"] = absolute(largest_error);
+  table["max"] = largest(reference, largest_error(values, means), floor_of(largest_error, reference));
   return table;
 }
 

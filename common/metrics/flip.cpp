@@ -16,7 +16,7 @@ namespace gibench {
 
 namespace {
 
-constexpr std::size_t pixels_per_chunk = 8192;
+constexpr std::size_t pixels_per_chunk = 16384;
 
 // The constants of the paper's section 4.3.
 constexpr float colour_exponent = 0.7F;      // q_c

@@ -77,7 +77,7 @@ std::vector<Rgb> tone_mapped(std::span<const Rgb> pixels, float exposure, ToneMa
     return clamp_unit((k[0] * x * x + k[1] * x + k[2]) / (k[3] * x * x + k[4] * x + k[5]));
   };
   std::vector<Rgb> mapped(pixels.size());
-  parallel_chunks(0, pixels.size(), 8192, [&](const ChunkRange& range) {
+  parallel_chunks(0, pixels.size(), 16384, [&](const ChunkRange& range) {
     for (std::size_t i = range.begin; i < range.end; ++i) mapped[i] = {map(pixels[i].r), map(pixels[i].g), map(pixels[i].b)};
   });
   return mapped;

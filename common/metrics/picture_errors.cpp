@@ -65,10 +65,19 @@ ErrorValue psnr_error(const Pictures& shown) {
   return {m.value, m.interval.low, std::max(high, m.value), m.noise, m.value > m.noise};
 }
 
+/// The similarity of a picture without error to the mean of the reference, from that of the noisy twin, 1 − t. With a local
+/// variance of s in the picture and q in the mean's noise, the twin has t = q / (2s + 3q), having the noise twice, and the
+/// picture without error q / (2s + q) = t / (1 − 2t).
+double similarity_without_error(double similarity_of_twin) {
+  const double t = 1.0 - similarity_of_twin;
+  return t < 1.0 / 3.0 ? 1.0 - t / (1.0 - 2.0 * t) : 0.0;
+}
+
 ErrorValue ssim_error(int width, int height, const Pictures& shown) {
   const Measured m = measured(
       shown, [&](const auto& picture, const auto& reference) { return ssim(width, height, picture, reference).value(); });
-  return {m.value, std::max(-1.0, m.interval.low), std::min(1.0, m.interval.high + 1.0 - m.noise), m.noise, m.value > m.noise};
+  const double ceiling = similarity_without_error(m.noise);
+  return {m.value, std::max(-1.0, m.interval.low), std::min(1.0, m.interval.high + 1.0 - ceiling), ceiling, m.value > ceiling};
 }
 
 /// The largest error of each pixel over the exposures seen so far.

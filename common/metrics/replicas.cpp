@@ -7,7 +7,7 @@ namespace gibench {
 
 namespace {
 
-constexpr std::size_t chunk_size = 4096;
+constexpr std::size_t chunk_size = 16384;
 
 void check_shape(const Replicas& set) {
   for (const std::vector<Rgb>& replica : set.replicas)

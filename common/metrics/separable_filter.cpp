@@ -10,7 +10,8 @@ namespace gibench {
 
 namespace {
 
-constexpr std::size_t rows_per_chunk = 16;
+/// Some 16,000 pixels: enough work for a thread to be worth waking.
+std::size_t rows_per_chunk(const Plane& plane) { return std::max<std::size_t>(1, 16384 / static_cast<std::size_t>(plane.width)); }
 
 /// sums += weight × values: the one inner loop of every filter, which the compiler makes vectors of.
 void add_scaled(float* __restrict sums, const float* __restrict values, float weight, int count) {
@@ -27,7 +28,7 @@ int radius_of(std::span<const float> filter) {
 Plane filter_rows(const Plane& plane, std::span<const float> filter) {
   const int radius = radius_of(filter);
   Plane out(plane.width, plane.height);
-  parallel_chunks(0, static_cast<std::size_t>(plane.height), rows_per_chunk, [&](const ChunkRange& range) {
+  parallel_chunks(0, static_cast<std::size_t>(plane.height), rows_per_chunk(plane), [&](const ChunkRange& range) {
     std::vector<float> padded(static_cast<std::size_t>(plane.width + 2 * radius));
     for (int y = static_cast<int>(range.begin); y < static_cast<int>(range.end); ++y) {
       const float* const in = plane.row(y);
@@ -43,7 +44,7 @@ Plane filter_rows(const Plane& plane, std::span<const float> filter) {
 Plane filter_columns(const Plane& plane, std::span<const float> filter) {
   const int radius = radius_of(filter);
   Plane out(plane.width, plane.height);
-  parallel_chunks(0, static_cast<std::size_t>(plane.height), rows_per_chunk, [&](const ChunkRange& range) {
+  parallel_chunks(0, static_cast<std::size_t>(plane.height), rows_per_chunk(plane), [&](const ChunkRange& range) {
     for (int y = static_cast<int>(range.begin); y < static_cast<int>(range.end); ++y)
       for (int t = -radius; t <= radius; ++t) {
         const float* const in = plane.row(std::clamp(y + t, 0, plane.height - 1));
