@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <limits>
@@ -14,8 +15,10 @@ namespace gibench {
 
 namespace {
 
-constexpr std::size_t shade_chunk = 64;    // samples
-constexpr int shared_direct_samples = 32;  // light samples, and as many hemisphere samples, per surface sample
+constexpr std::size_t shade_chunk = 64;  // samples
+// Light samples, and as many hemisphere samples, that the shared evaluator spends: on one surface sample at least and
+// at most, and between them so that a call with few samples is answered to a few tenths of a per cent.
+constexpr std::size_t least_direct_samples = 32, most_direct_samples = 4096, direct_samples_a_call = std::size_t{1} << 19;
 constexpr std::uint64_t direct_stage = 0x646972656374ULL;
 
 /// Runs one stage between two clock readings and two readings of the run's counters.
@@ -127,13 +130,15 @@ StageReport TransportMethod::shade(const ShadeRequest& request, const ShadeAnswe
 }
 
 void TransportMethod::shade_direct(const ShadeRequest& request, std::span<Rgb> direct, Task& task) const {
+  const std::size_t wanted = direct_samples_a_call / std::max<std::size_t>(1, direct.size());
+  const int samples = static_cast<int>(std::clamp(wanted, least_direct_samples, most_direct_samples));
   task.parallel_chunks(direct.size(), shade_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world());
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const std::uint64_t key = mix_keys(task.seed(), direct_stage, i);
       direct[i] = request.quantity == Quantity::irradiance
-                      ? direct_light_->irradiance(request.samples[i], key, shared_direct_samples, rays)
-                      : direct_light_->radiance(request.samples[i], request.toward_viewer[i], key, shared_direct_samples, rays);
+                      ? direct_light_->irradiance(request.samples[i], key, samples, rays)
+                      : direct_light_->radiance(request.samples[i], request.toward_viewer[i], key, samples, rays);
     }
   });
 }
