@@ -1,0 +1,31 @@
+/// Questions put to a method: point by point, or averaged over points of a surface.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/registry.h"
+#include "truth_case.h"
+
+namespace gibench::truth {
+
+struct Answer {
+  RgbDouble value;
+  RgbDouble standard_error;  ///< zero from a method that does not know it, of a point
+};
+
+/// How a method is run.
+struct Run {
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::uint64_t seed = 1;
+  int mean_groups = 16;   ///< a mean is taken so many times, on independent points; its standard error is from their scatter
+  int mean_points = 256;  ///< in each group
+};
+
+/// One answer for each question, all of one emitter set and bounce bound. Throws WorkError where the method refuses the
+/// scene, where it cannot do what the scene calls for, or where a stage fails: the message says why.
+std::vector<Answer> ask(const MethodEntry& entry, const Scene& scene, const std::vector<Question>& questions, const Run& run);
+
+}  // namespace gibench::truth

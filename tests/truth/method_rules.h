@@ -1,0 +1,40 @@
+/// What every method is held to in the truth suite, in one place.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/registry.h"
+#include "truth_case.h"
+
+namespace gibench::truth {
+
+/// How near a method has to come, and what it is not asked. What a method says itself (its capabilities, its
+/// refusals) needs no line here.
+struct MethodRule {
+  std::string method;
+  /// Share of the true value (or of a tenth of the case's largest one, where that is more). 0: the method knows its own
+  /// standard errors, and is held to four of them.
+  double tolerance = 0.0;
+  std::vector<std::pair<std::string, std::string>> settings;
+  bool asks_sensors = false;  ///< can be asked in empty space
+  /// Questions nearer to another surface or to an open edge than this share of the scene's diagonal are left out:
+  /// a finite-element solution need not resolve them.
+  double clearance = 0.0;
+  std::vector<std::pair<std::string, std::string>> not_cases;  ///< id of a case or of a question, and why it is left out
+};
+
+/// The rule of a method; of one that has none, the tolerance of 2% at its default settings.
+MethodRule rule_of(const std::string& method);
+
+/// Why this question is not asked of the method; empty where it is.
+std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth,
+                                    const Question& question);
+
+/// Metres from the question's point to the nearest surface that does not hold it, or to the nearest edge of its own plane's
+/// surface.
+double clearance_of(const Scene& scene, const Question& question);
+
+}  // namespace gibench::truth
