@@ -1,13 +1,11 @@
 #include "bench/output_folder.h"
 
-#include <fcntl.h>
-
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <system_error>
 
 #include "common/core/error.h"
+#include "common/reference/folder_replacement.h"
 
 namespace gibench {
 
@@ -46,20 +44,5 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::commit() { replace_folder(partial_, target_); }
-
-void replace_folder(const fs::path& from, const fs::path& to) {
-  if (std::rename(from.c_str(), to.c_str()) == 0) return;  // nothing, or an empty folder, was there
-  if (errno != EEXIST && errno != ENOTEMPTY) unwritable(to, errno);
-  std::error_code error;
-  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) {
-    fs::remove_all(from, error);
-    return;
-  }
-  fs::path old = to;
-  old += ".old";
-  fs::remove_all(old, error);
-  if (std::rename(to.c_str(), old.c_str()) != 0 || std::rename(from.c_str(), to.c_str()) != 0) unwritable(to, errno);
-  fs::remove_all(old, error);
-}
 
 }  // namespace gibench

@@ -24,7 +24,4 @@ class OutputFolder {
   std::filesystem::path target_, partial_;
 };
 
-/// Puts the folder `from` in the place of `to`, which may exist: in one step where the file system can.
-void replace_folder(const std::filesystem::path& from, const std::filesystem::path& to);
-
 }  // namespace gibench

@@ -1,35 +1,20 @@
 #include "bench/reference_facts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace gibench {
 
 namespace {
 
+/// Of the indirect light, or of all light where there is no indirect; 0 in the dark.
 std::optional<double> error_of(const ReferenceValues& values) {
   if (values.direct.size() == 0) return std::nullopt;
-  const bool has_indirect = std::any_of(values.indirect.replicas.begin(), values.indirect.replicas.end(), [](const auto& r) {
-    return std::any_of(r.begin(), r.end(), [](const Rgb& v) { return !is_black(v); });
-  });
-  return relative_standard_error(has_indirect ? values.indirect : Replicas::sum(values.direct, values.indirect));
-}
-
-double channel_sum(const std::vector<Rgb>& values) {
-  double sum = 0.0;
-  for (const Rgb& v : values) sum += static_cast<double>(v.r) + static_cast<double>(v.g) + static_cast<double>(v.b);
-  return sum;
+  if (const auto error = relative_standard_error(values.indirect)) return error;
+  return relative_standard_error(Replicas::sum(values.direct, values.indirect)).value_or(0.0);
 }
 
 }  // namespace
-
-double relative_standard_error(const Replicas& replicas) {
-  if (replicas.count() < 2 || replicas.size() == 0) return 0.0;
-  const double channels = 3.0 * static_cast<double>(replicas.size());
-  const double mean = channel_sum(replicas.mean()) / channels;
-  return mean > 0.0 ? std::sqrt(channel_sum(replicas.variance_of_mean()) / channels) / mean : 0.0;
-}
 
 double ReferenceFacts::relative_standard_error() const {
   return std::max(surface_error.value_or(0.0), image_error.value_or(0.0));

@@ -24,9 +24,6 @@ struct ReferenceFacts {
 
 ReferenceFacts facts_of(const Scene& scene, const Reference& reference);
 
-/// Root of the mean variance of the replicates' mean, over the mean value; channels alike. 0 for black.
-double relative_standard_error(const Replicas& replicas);
-
 /// {key, path_class, samples (per value, all replicates), samples_per_replica, replicas, relative_standard_error, …}
 nlohmann::ordered_json to_json(const ReferenceFacts& facts);
 

@@ -47,9 +47,9 @@ class ReplicaMaker {
  private:
   template <class Shade>
   Answers answers(int replica, std::uint64_t first, std::uint64_t count, const Shade& shade) const {
-    const MethodChoice choice = choose_method(
-        ReferenceMethod::name,
-        {fmt::format("{}={}", ReferenceMethod::samples, count), fmt::format("{}={}", ReferenceMethod::first_sample, first)});
+    const MethodChoice choice = choose_method(ReferenceMethod::name, {fmt::format("{}={}", ReferenceMethod::samples, count),
+                                                                      fmt::format("{}={}", ReferenceMethod::first_sample, first),
+                                                                      fmt::format("{}=1", ReferenceMethod::replicates)});
     CommonOptions own = common_;
     own.seed = mix_keys(question_.seed, replica_stage, static_cast<std::uint64_t>(replica));
     own.quiet = true;
@@ -68,32 +68,15 @@ class ReplicaMaker {
   MeasuringPoints points_;
 };
 
-/// Puts `more`, of `count` samples, to the mean `values` of `before` samples.
-void add_samples(std::vector<Rgb>& values, std::uint64_t before, const std::vector<Rgb>& more, std::uint64_t count) {
-  if (before == 0) {
-    values = more;
-    return;
-  }
-  GIBENCH_CHECK(values.size() == more.size(), "a replicate keeps its values");
-  const double share = static_cast<double>(count) / static_cast<double>(before + count);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = Rgb(RgbDouble(values[i]) * (1.0 - share) + RgbDouble(more[i]) * share);
-}
-
-void add_samples(ReferenceValues& values, std::size_t replica, std::uint64_t before, const Answers& more, std::uint64_t count) {
-  add_samples(values.direct.replicas[replica], before, more.direct, count);
-  add_samples(values.indirect.replicas[replica], before, more.indirect, count);
+void keep(ReferenceValues& values, const Answers& answers) {
+  values.direct.replicas.push_back(answers.direct);
+  values.indirect.replicas.push_back(answers.indirect);
 }
 
 bool reached(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
   if (reference.samples_per_replica >= goal.samples) return true;
   return goal.target_error && reference.samples_per_replica > 0 &&
          facts_of(scene, reference).relative_standard_error() <= *goal.target_error;
-}
-
-void resize(ReferenceValues& values, std::size_t replicas) {
-  values.direct.replicas.resize(replicas);
-  values.indirect.replicas.resize(replicas);
 }
 
 std::vector<std::vector<Rgb>> every(const std::vector<std::vector<Rgb>>& replicas, std::size_t first, std::size_t step) {
@@ -124,8 +107,6 @@ void extend_reference(const LoadedScene& scene, std::optional<int> bounces, cons
   const ReferenceQuestion& question = reference.question;
   const ReplicaMaker maker(scene, question, bounces, common);
   const auto own = static_cast<std::size_t>(set.own());
-  resize(reference.surface, own);
-  if (question.camera) resize(reference.image, own);
   ProgressBar bar("reference of " + scene.scene().name, common.quiet);
   const ReferenceGoal whole_goal{whole_samples(goal.samples, question), goal.target_error};
   const std::uint64_t begun_with = reference.samples_per_replica;
@@ -133,20 +114,20 @@ void extend_reference(const LoadedScene& scene, std::optional<int> bounces, cons
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t before = reference.samples_per_replica;
     const std::uint64_t after = std::min(whole_goal.samples, whole_samples(std::max(first_round, 2 * before), question));
-    Reference next = reference;
+    Reference more{question, after - before, 0.0, {}, {}};
     for (std::size_t i = 0; i < own; ++i) {
       const double in_round = static_cast<double>(i) / static_cast<double>(own);
       bar.update(fmt::format("{} samples", after),
                  (static_cast<double>(before - begun_with) + in_round * static_cast<double>(after - before)) /
                      static_cast<double>(whole_goal.samples - begun_with));
       const auto estimates = maker.make(set.shard + static_cast<int>(i) * set.of, before, after - before);
-      add_samples(next.surface, i, before, estimates.surface, after - before);
-      if (estimates.image) add_samples(next.image, i, before, *estimates.image, after - before);
+      keep(more.surface, estimates.surface);
+      if (estimates.image) keep(more.image, *estimates.image);
       stop_if_cancelled();
     }
-    next.samples_per_replica = after;
-    next.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    reference = std::move(next);
+    more.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (before == 0) reference = std::move(more);
+    else merge(reference, more);
     after_round(reference);
   }
 }

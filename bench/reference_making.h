@@ -17,6 +17,8 @@ struct ReferenceMethod {
   static constexpr const char* name = "pathtracer";
   static constexpr const char* samples = "samples";            ///< how many
   static constexpr const char* first_sample = "first_sample";  ///< the first one's index: what came before is not repeated
+  /// Replicates of its own: one, as each replicate of the reference is one sequence, stratified as a whole.
+  static constexpr const char* replicates = "replicates";
 };
 
 /// Which replicates of how many.

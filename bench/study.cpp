@@ -42,7 +42,7 @@ void check_folder(const fs::path& out) {
   std::error_code ignored;
   if (!fs::exists(out, ignored)) return;
   if (!fs::is_directory(out, ignored)) throw InputError(out.string(), "is no folder", "choose another --out");
-  if (!fs::is_empty(out, ignored) && !fs::exists(out / "manifest.json", ignored) && !fs::exists(out / "runs", ignored))
+  if (!fs::is_empty(out, ignored) && !fs::exists(out / "runs", ignored))
     throw InputError(out.string(), "holds something else than a study", "choose another --out");
 }
 

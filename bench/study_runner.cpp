@@ -12,11 +12,11 @@
 #include <thread>
 
 #include "bench/cancellation.h"
-#include "bench/output_folder.h"
 #include "bench/reference_files.h"
 #include "bench/run_method.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
+#include "common/reference/folder_replacement.h"
 
 namespace gibench {
 

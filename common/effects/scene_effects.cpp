@@ -22,7 +22,6 @@ struct Facts {
   std::vector<std::string> emitters;      ///< names of emitting materials on surfaces with area
   std::size_t punctual = 0;               ///< point, spot and directional lights that are not black
   std::size_t environments = 0;           ///< environment lights that are not black
-  bool light_from_outside = false;        ///< a directional or environment light, or a punctual one behind some front
   std::string brightest_diffuse, glossy;  ///< a material's name; empty: none
   float largest_albedo = 0.0F;
 
@@ -70,28 +69,15 @@ float height_above(const World& world, std::uint32_t triangle, const Vec3& point
   return glm::dot(world.normal(triangle), point - world.scene().vertices[world.scene().triangles[triangle].corners[0]]);
 }
 
-/// Whether the point lies in front of, or in the plane of, every triangle.
-bool in_front_of_all(const World& world, const Vec3& point) {
-  for (std::uint32_t t = 0; t < world.scene().triangles.size(); ++t)
-    if (height_above(world, t, point) < -planarity * world.diagonal()) return false;
-  return true;
-}
-
-void look_at_lights(const World& world, Facts& facts) {
-  for (const Light& light : world.scene().lights) {
-    if (const auto* point = std::get_if<PointLight>(&light); point && !is_black(point->intensity)) {
+void look_at_lights(const Scene& scene, Facts& facts) {
+  for (const Light& light : scene.lights) {
+    const auto* point = std::get_if<PointLight>(&light);
+    const auto* spot = std::get_if<SpotLight>(&light);
+    const auto* sun = std::get_if<DirectionalLight>(&light);
+    const auto* sky = std::get_if<EnvironmentLight>(&light);
+    if ((point && !is_black(point->intensity)) || (spot && !is_black(spot->intensity)) || (sun && !is_black(sun->irradiance)))
       ++facts.punctual;
-      facts.light_from_outside |= !in_front_of_all(world, point->position);
-    } else if (const auto* spot = std::get_if<SpotLight>(&light); spot && !is_black(spot->intensity)) {
-      ++facts.punctual;
-      facts.light_from_outside |= !in_front_of_all(world, spot->position);
-    } else if (const auto* sun = std::get_if<DirectionalLight>(&light); sun && !is_black(sun->irradiance)) {
-      ++facts.punctual;
-      facts.light_from_outside = true;
-    } else if (const auto* sky = std::get_if<EnvironmentLight>(&light); sky && !is_dark(*sky)) {
-      ++facts.environments;
-      facts.light_from_outside = true;
-    }
+    if (sky && !is_dark(*sky)) ++facts.environments;
   }
 }
 
@@ -127,12 +113,16 @@ EffectEvidence glossy(Effect effect, const Facts& facts, const std::string& prev
   return {effect, true, fmt::format("glossy material '{}'", facts.glossy)};
 }
 
-EffectEvidence occlusion(const Facts& facts, Arrangement arrangement) {
-  if (arrangement == Arrangement::no_mutual_sight)
-    return {Effect::occlusion, false, "every surface lies behind every other: none can hide a light from a front"};
-  if (arrangement == Arrangement::convex_room && !facts.light_from_outside)
-    return {Effect::occlusion, false, "one convex room with its lights inside: nothing hides anything"};
-  return {Effect::occlusion, true, arrangement == Arrangement::general ? "surfaces may hide one another" : "light from outside"};
+/// Called for wherever there is light: no method leaves out its visibility tests yet, so none may claim to.
+EffectEvidence occlusion(Arrangement arrangement) {
+  switch (arrangement) {
+    case Arrangement::general: return {Effect::occlusion, true, "surfaces may hide one another"};
+    case Arrangement::convex_room:
+      return {Effect::occlusion, true, "one convex room: tested, though only lights outside can be hidden"};
+    case Arrangement::no_mutual_sight:
+      return {Effect::occlusion, true, "every surface lies behind every other: tested, though nothing is hidden"};
+  }
+  return {Effect::occlusion, true, {}};
 }
 
 }  // namespace
@@ -177,7 +167,7 @@ SceneEffects analyse_effects(const World& world, std::optional<int> bounces) {
   result.max_bounces = bounces;
   Facts facts;
   look_at_materials(world, facts);
-  look_at_lights(world, facts);
+  look_at_lights(world.scene(), facts);
   if (!facts.lit()) {
     for (const Effect effect : all_effects()) result.effects.push_back({effect, false, "the scene has no light"});
     return result;
@@ -190,7 +180,7 @@ SceneEffects analyse_effects(const World& world, std::optional<int> bounces) {
       glossy(Effect::glossy_final_bounce, facts, {}),
       glossy(Effect::glossy_chain, facts, prevented),
       {Effect::environment, facts.environments > 0, facts.environments > 0 ? "an environment light" : "no environment light"},
-      occlusion(facts, arrangement)};
+      occlusion(arrangement)};
   return result;
 }
 
