@@ -11,6 +11,7 @@
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/core/random.h"
+#include "common/image/image_layers.h"
 #include "common/image/srgb.h"
 #include "tests/support/scratch_folder.h"
 
@@ -67,6 +68,11 @@ TEST(Image, AnExrCarriesLayersAndHeader) {
   EXPECT_EQ(back.header.at("gibench.method"), "meshless");
   EXPECT_EQ(back.header.at("gibench.seed"), "7");
   EXPECT_THROW(read_image_file(folder / "a.exr", "variance"), InputError);
+  const std::map<std::string, Image> all = read_exr_layers(folder / "a.exr");
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all.at("").pixels, total.pixels);
+  EXPECT_EQ(all.at("direct").pixels, direct.pixels);
+  EXPECT_EQ(all.at("indirect").pixels, indirect);
 }
 
 TEST(Image, ScanlinesOfFloats) {
