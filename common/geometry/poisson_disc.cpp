@@ -20,38 +20,96 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 }  // namespace
 
-/// Chained hash grid of cells twice the radius wide: a disc reaches into at most eight of them. Cells that
-/// share a bucket are told apart by the distance test itself.
+/// Hash grid of cells twice the radius wide: a disc reaches into at most eight of them. Samples lie bucket by
+/// bucket, so that a cell costs one look-up and one run of memory; those kept since the last rebuild wait in
+/// chains. Cells that share a bucket are told apart by the distance test itself.
 struct PoissonDisc::Grid {
+  struct Sample {
+    Vec3 position, normal;
+  };
+
   Vec3 origin;
   float radius, cells_per_metre;
-  std::vector<std::uint32_t> heads;  ///< first point of each bucket
-  std::vector<std::uint32_t> next;   ///< one a point
+  std::vector<std::uint32_t> first;  ///< into `samples`, of each bucket and one more
+  std::vector<Sample> samples;
+  std::vector<std::uint32_t> recent_heads;  ///< of each bucket of a smaller table
+  std::vector<Sample> recent;
+  std::vector<std::uint32_t> recent_next;
 
   Grid(const Vec3& low, float disc_radius, const std::vector<DiscPoint>& points)
       : origin(low), radius(disc_radius), cells_per_metre(0.5F / disc_radius) {
-    resize(points);
+    rebuild(points);
   }
 
-  std::size_t bucket(std::int32_t x, std::int32_t y, std::int32_t z) const {
-    const std::uint32_t hash = static_cast<std::uint32_t>(x) * 0x8da6b343U ^ static_cast<std::uint32_t>(y) * 0xd8163841U ^
-                               static_cast<std::uint32_t>(z) * 0xcb1ab31fU;
-    return (hash ^ (hash >> 15)) & (heads.size() - 1);
+  static std::uint32_t hash(std::int32_t x, std::int32_t y, std::int32_t z) {
+    const std::uint32_t mixed = static_cast<std::uint32_t>(x) * 0x8da6b343U ^ static_cast<std::uint32_t>(y) * 0xd8163841U ^
+                                static_cast<std::uint32_t>(z) * 0xcb1ab31fU;
+    return mixed ^ (mixed >> 15);
   }
   Vec3 cell_coordinates(const Vec3& position) const { return (position - origin) * cells_per_metre; }
-
-  void insert(const std::vector<DiscPoint>& points, std::uint32_t index) {
-    const Vec3 cell = glm::floor(cell_coordinates(points[index].position));
-    std::uint32_t& head =
-        heads[bucket(static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y), static_cast<std::int32_t>(cell.z))];
-    next.push_back(head);
-    head = index;
+  std::uint32_t hash_of(const Vec3& position) const {
+    const Vec3 cell = glm::floor(cell_coordinates(position));
+    return hash(static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y), static_cast<std::int32_t>(cell.z));
   }
 
-  void resize(const std::vector<DiscPoint>& points) {
-    heads.assign(std::bit_ceil(std::max<std::size_t>(64, points.size())), none);
-    next.clear();
-    for (std::uint32_t i = 0; i < points.size(); ++i) insert(points, i);
+  void insert(const DiscPoint& point) {
+    std::uint32_t& head = recent_heads[hash_of(point.position) & (recent_heads.size() - 1)];
+    recent_next.push_back(head);
+    head = static_cast<std::uint32_t>(recent.size());
+    recent.push_back({point.position, point.normal});
+  }
+  bool wants_rebuild() const { return recent.size() > 256 + samples.size() / 4; }
+
+  void rebuild(const std::vector<DiscPoint>& points) {
+    const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(64, points.size()));
+    first.assign(buckets + 1, 0);
+    for (const DiscPoint& point : points) ++first[(hash_of(point.position) & (buckets - 1)) + 1];
+    for (std::size_t i = 0; i < buckets; ++i) first[i + 1] += first[i];
+    samples.resize(points.size());
+    std::vector<std::uint32_t> at(first.begin(), first.end() - 1);
+    for (const DiscPoint& point : points) samples[at[hash_of(point.position) & (buckets - 1)]++] = {point.position, point.normal};
+    recent.clear();
+    recent_next.clear();
+    recent_heads.assign(std::max<std::size_t>(512, buckets / 2), none);
+  }
+
+  static bool too_near(const Sample& sample, const DiscPoint& point, float radius_squared) {
+    const Vec3 apart = sample.position - point.position;
+    const float distance_squared = glm::dot(apart, apart);
+    if (distance_squared >= radius_squared) return false;
+    const float cosine = glm::dot(sample.normal, point.normal);
+    return cosine > 0.0F && distance_squared < radius_squared * cosine * cosine;
+  }
+
+  bool conflicts_in(std::uint32_t cell_hash, const DiscPoint& point) const {
+    const float radius_squared = radius * radius;
+    const std::size_t bucket = cell_hash & (first.size() - 2);
+    for (std::uint32_t i = first[bucket]; i < first[bucket + 1]; ++i)
+      if (too_near(samples[i], point, radius_squared)) return true;
+    return !recent.empty() && conflicts_with_recent(cell_hash, point);
+  }
+  bool conflicts_with_recent(std::uint32_t cell_hash, const DiscPoint& point) const {
+    for (std::uint32_t i = recent_heads[cell_hash & (recent_heads.size() - 1)]; i != none; i = recent_next[i])
+      if (too_near(recent[i], point, radius * radius)) return true;
+    return false;
+  }
+
+  /// Calls test(hash) for the up to eight cells that the point's disc reaches, its own first, until one is true.
+  template <class Test>
+  bool any_cell(const DiscPoint& point, Test&& test) const {
+    const Vec3 coordinates = cell_coordinates(point.position);
+    const Vec3 home = glm::floor(coordinates);
+    const Vec3 inside = coordinates - home;
+    const auto x = static_cast<std::int32_t>(home.x), y = static_cast<std::int32_t>(home.y),
+               z = static_cast<std::int32_t>(home.z);
+    const std::int32_t dx = inside.x < 0.5F ? -1 : 1, dy = inside.y < 0.5F ? -1 : 1, dz = inside.z < 0.5F ? -1 : 1;
+    for (int corner = 0; corner < 8; ++corner)
+      if (test(hash(x + ((corner & 1) != 0 ? dx : 0), y + ((corner & 2) != 0 ? dy : 0), z + ((corner & 4) != 0 ? dz : 0))))
+        return true;
+    return false;
+  }
+  bool conflicts(const DiscPoint& point) const {
+    return any_cell(point, [&](std::uint32_t cell_hash) { return conflicts_in(cell_hash, point); });
   }
 };
 
@@ -98,35 +156,12 @@ DiscPoint PoissonDisc::propose(std::uint64_t number) const {
   return {world_.position(side.triangle, {root * (1.0F - second), root * second}), side.front ? normal : -normal, side};
 }
 
-bool PoissonDisc::conflicts(const DiscPoint& point, const Grid& grid) const {
-  const Vec3 coordinates = grid.cell_coordinates(point.position);
-  const Vec3 home = glm::floor(coordinates);
-  const Vec3 inside = coordinates - home;
-  const std::int32_t cell[3] = {static_cast<std::int32_t>(home.x), static_cast<std::int32_t>(home.y),
-                                static_cast<std::int32_t>(home.z)};
-  const std::int32_t step[3] = {inside.x < 0.5F ? -1 : 1, inside.y < 0.5F ? -1 : 1, inside.z < 0.5F ? -1 : 1};
-  const float radius_squared = grid.radius * grid.radius;
-  for (int corner = 0; corner < 8; ++corner) {
-    const std::size_t bucket =
-        grid.bucket(cell[0] + ((corner & 1) != 0 ? step[0] : 0), cell[1] + ((corner & 2) != 0 ? step[1] : 0),
-                    cell[2] + ((corner & 4) != 0 ? step[2] : 0));
-    for (std::uint32_t i = grid.heads[bucket]; i != none; i = grid.next[i]) {
-      const Vec3 apart = kept_[i].position - point.position;
-      const float distance_squared = glm::dot(apart, apart);
-      if (distance_squared >= radius_squared) continue;
-      const float cosine = glm::dot(kept_[i].normal, point.normal);
-      if (cosine > 0.0F && distance_squared < radius_squared * cosine * cosine) return true;
-    }
-  }
-  return false;
-}
-
 /// Throws a batch and marks the darts that no sample kept so far and no test turns down.
 void PoissonDisc::test_batch(std::vector<DiscPoint>& darts, std::vector<std::uint8_t>& alive, const Grid& grid) const {
   parallel_chunks(options_.threads, darts.size(), chunk, [&](const ChunkRange& range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       darts[i] = propose(proposals_ + i);
-      alive[i] = conflicts(darts[i], grid) ? 0 : 1;
+      alive[i] = grid.conflicts(darts[i]) ? 0 : 1;
     }
   });
   if (!options_.test) return;
@@ -151,20 +186,21 @@ std::vector<DiscPoint> PoissonDisc::add_level(float radius) {
     darts.resize(std::clamp(std::bit_ceil(kept_.size() / 2), smallest_batch, largest_batch));
     alive.resize(darts.size());
     test_batch(darts, alive, grid);
-    const std::size_t kept_before = kept_.size();
     std::size_t i = 0;
+    if (grid.wants_rebuild()) grid.rebuild(kept_);
+    const std::size_t recent_before = grid.recent.size();
     for (; i < darts.size() && failed_in_a_row < options_.failures; ++i) {
       // Only samples of this batch are news to a dart that is still alive.
-      if (alive[i] == 0 || (kept_.size() > kept_before && conflicts(darts[i], grid))) {
+      const auto conflicts_now = [&](std::uint32_t cell_hash) { return grid.conflicts_with_recent(cell_hash, darts[i]); };
+      if (alive[i] == 0 || (grid.recent.size() > recent_before && grid.any_cell(darts[i], conflicts_now))) {
         ++failed_in_a_row;
         continue;
       }
       failed_in_a_row = 0;
       kept_.push_back(darts[i]);
-      grid.insert(kept_, static_cast<std::uint32_t>(kept_.size() - 1));
+      grid.insert(darts[i]);
     }
     proposals_ += i;
-    if (kept_.size() > grid.heads.size()) grid.resize(kept_);
   }
   return {kept_.begin() + static_cast<std::ptrdiff_t>(first), kept_.end()};
 }

@@ -59,7 +59,6 @@ class PoissonDisc {
 
   void build_alias_table();
   DiscPoint propose(std::uint64_t number) const;
-  bool conflicts(const DiscPoint& point, const Grid& grid) const;
   void test_batch(std::vector<DiscPoint>& darts, std::vector<std::uint8_t>& alive, const Grid& grid) const;
 
   const World& world_;

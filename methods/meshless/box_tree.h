@@ -3,16 +3,16 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "common/core/vec.h"
+#include "methods/meshless/lanes.h"
 
 namespace gibench::meshless {
 
-inline constexpr std::uint32_t tree_width = 8;  ///< children of a node, and points of a leaf block
+inline constexpr std::uint32_t tree_width = lane_count;  ///< children of a node, and points of a leaf block
 
 struct Box {
   Vec3 low{std::numeric_limits<float>::infinity()};
@@ -57,19 +57,24 @@ class BoxTree {
   }
 
  private:
-  /// Eight boxes side by side; missing ones are empty. A byte of a mask is 1 where the box takes part.
-  struct alignas(32) Node {
-    float low[3][tree_width], high[3][tree_width];
+  /// Eight boxes side by side; missing ones are empty.
+  struct Node {
+    Lanes low[3], high[3];
 
-    std::uint64_t holding(const Vec3& p) const { return meeting(p, p); }
-    std::uint64_t meeting(const Vec3& from, const Vec3& to) const {
-      std::uint8_t in[tree_width];
-      for (std::uint32_t i = 0; i < tree_width; ++i)
-        in[i] = static_cast<std::uint8_t>((to.x >= low[0][i]) & (from.x <= high[0][i]) & (to.y >= low[1][i]) &
-                                          (from.y <= high[1][i]) & (to.z >= low[2][i]) & (from.z <= high[2][i]));
-      std::uint64_t mask = 0;
-      std::memcpy(&mask, in, sizeof mask);
-      return mask;
+    std::uint32_t holding(const Vec3& p) const { return meeting(p, p); }
+    /// Bit i is set where box i takes part.
+    std::uint32_t meeting(const Vec3& from, const Vec3& to) const {
+      return lane_bits((low[0] <= to.x) & (high[0] >= from.x) & (low[1] <= to.y) & (high[1] >= from.y) & (low[2] <= to.z) &
+                       (high[2] >= from.z));
+    }
+    /// Squared distance of a point to each box.
+    Lanes distance_squared(const Vec3& p) const {
+      Lanes sum{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const Lanes gap = larger(larger(low[axis] - p[axis], p[axis] - high[axis]), Lanes{});
+        sum += gap * gap;
+      }
+      return sum;
     }
   };
   struct Entry {
@@ -84,8 +89,8 @@ class BoxTree {
     stack[size++] = {static_cast<std::uint32_t>(first_node_.size() - 1), 0};
     while (size > 0) {
       const Entry at = stack[--size];
-      for (std::uint64_t mask = test(nodes_[first_node_[at.height] + at.node]); mask != 0; mask &= mask - 1) {
-        const std::uint32_t child = at.node * tree_width + static_cast<std::uint32_t>(std::countr_zero(mask)) / 8;
+      for (std::uint32_t mask = test(nodes_[first_node_[at.height] + at.node]); mask != 0; mask &= mask - 1) {
+        const std::uint32_t child = at.node * tree_width + static_cast<std::uint32_t>(std::countr_zero(mask));
         if (at.height == 0) visit(child);
         else stack[size++] = {at.height - 1, child};
       }
@@ -102,17 +107,7 @@ class BoxTree {
 template <class Limit, class Visit>
 void BoxTree::descend(const Vec3& point, std::uint32_t height, std::uint32_t index, Limit&& limit, Visit&& visit) const {
   const Node& node = nodes_[first_node_[height] + index];
-  float distance_squared[tree_width];
-  for (std::uint32_t i = 0; i < tree_width; ++i) {
-    float sum = 0.0F;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float below = node.low[axis][i] - point[axis], above = point[axis] - node.high[axis][i];
-      const float outside = below > above ? below : above;
-      const float gap = outside > 0.0F ? outside : 0.0F;
-      sum += gap * gap;
-    }
-    distance_squared[i] = sum;
-  }
+  Lanes distance_squared = node.distance_squared(point);
   for (std::uint32_t turn = 0; turn < tree_width; ++turn) {
     std::uint32_t nearest = 0;
     for (std::uint32_t i = 1; i < tree_width; ++i)

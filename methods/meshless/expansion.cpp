@@ -6,15 +6,6 @@
 
 namespace gibench::meshless {
 
-namespace {
-
-/// Sum of eight lanes in a fixed order.
-float sum_lanes(const float (&lanes)[tree_width]) {
-  return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
-}
-
-}  // namespace
-
 Expansion::Expansion(const Coefficients& coefficients)
     : levels_(coefficients.hierarchy().levels()), groups_(coefficients.hierarchy().groups()) {
   const Hierarchy& hierarchy = coefficients.hierarchy();
@@ -72,46 +63,42 @@ Expansion::Block Expansion::make_block(const Coefficients& coefficients, std::ui
   return block;
 }
 
+/// Squared distances in units of the radii.
+Lanes Expansion::squared_ratio(const Block& block, const Vec3& position) {
+  const Lanes x = position.x - block.position[0], y = position.y - block.position[1], z = position.z - block.position[2];
+  return (x * x + y * y + z * z) * block.inverse_radius_squared;
+}
+
+Lanes Expansion::cosine(const Block& block, const Vec3& normal) {
+  return normal.x * block.normal[0] + normal.y * block.normal[1] + normal.z * block.normal[2];
+}
+
 /// Eq. 12 and 13 and the sums of Eq. 4, eight basis functions at a time.
-void Expansion::add_weights(const Block& block, const Place& at, Sums& sums) {
-  const float px = at.position.x, py = at.position.y, pz = at.position.z;
-  const float nx = at.normal.x, ny = at.normal.y, nz = at.normal.z;
-  for (std::uint32_t i = 0; i < tree_width; ++i) {
-    const float dx = px - block.position[0][i], dy = py - block.position[1][i], dz = pz - block.position[2][i];
-    const float squared_ratio = std::min((dx * dx + dy * dy + dz * dz) * block.inverse_radius_squared[i], 1.0F);
-    const float cosine = nx * block.normal[0][i] + ny * block.normal[1][i] + nz * block.normal[2][i];
-    const float facing = cosine > least_cosine ? cosine : 0.0F;
-    const float w = kernel(squared_ratio) * facing;
-    sums.weight[i] += w;
-    sums.red[i] += w * block.red[i];
-    sums.green[i] += w * block.green[i];
-    sums.blue[i] += w * block.blue[i];
-  }
+void Expansion::Sums::add_weights(const Block& block, const Lanes& squared_ratio, const Lanes& cosine) {
+  const Lanes ratio = smaller(squared_ratio, all_lanes(1.0F));
+  const Lanes kernel = ratio * (2.0F * square_root(ratio) - 3.0F) + 1.0F;
+  const Lanes w = cosine > least_cosine ? kernel * cosine : Lanes{};
+  weight += w;
+  red += w * block.red;
+  green += w * block.green;
+  blue += w * block.blue;
 }
 
 /// Counts the basis functions that cover the place and adds up the solid angles of their balls: 2π (1 − cos θ),
-/// sin θ = radius / distance; half the sphere and more where the receiver is inside.
-void Expansion::add_solid_angles(const Block& block, const Place& at, const Vec3& receiver, Sums& sums) {
-  const float px = at.position.x, py = at.position.y, pz = at.position.z;
-  const float nx = at.normal.x, ny = at.normal.y, nz = at.normal.z;
-  const float rx = receiver.x, ry = receiver.y, rz = receiver.z;
-  for (std::uint32_t i = 0; i < tree_width; ++i) {
-    const float dx = px - block.position[0][i], dy = py - block.position[1][i], dz = pz - block.position[2][i];
-    const float squared_ratio = (dx * dx + dy * dy + dz * dz) * block.inverse_radius_squared[i];
-    const float cosine = nx * block.normal[0][i] + ny * block.normal[1][i] + nz * block.normal[2][i];
-    const float covers = (squared_ratio < 1.0F ? 1.0F : 0.0F) * (cosine > least_cosine ? 1.0F : 0.0F);
-    const float ex = rx - block.position[0][i], ey = ry - block.position[1][i], ez = rz - block.position[2][i];
-    const float distance_ratio = (ex * ex + ey * ey + ez * ez) * block.inverse_radius_squared[i];
-    const float cosine_squared = std::max(1.0F - 1.0F / std::max(distance_ratio, 1.0F), 0.0F);
-    sums.covering[i] += covers;
-    sums.solid_angle[i] += covers * 2.0F * pi * (1.0F - std::sqrt(cosine_squared));
-  }
+/// sin θ = radius / distance; the half sphere where the receiver is inside.
+void Expansion::Sums::add_solid_angles(const Block& block, const Vec3& receiver, const Lanes& squared_ratio,
+                                       const Lanes& cosine) {
+  const Lanes distance_ratio = larger(Expansion::squared_ratio(block, receiver), all_lanes(1.0F));
+  const Lanes angle = 2.0F * pi * (1.0F - square_root(1.0F - 1.0F / distance_ratio));
+  const LaneMask covers = (squared_ratio < 1.0F) & (cosine > least_cosine);
+  covering += covers ? all_lanes(1.0F) : Lanes{};
+  solid_angle += covers ? angle : Lanes{};
 }
 
-bool Expansion::level_value(const Sums& sums, Rgb& value) {
-  const float weights = sum_lanes(sums.weight);
+bool Expansion::Sums::level_value(Rgb& value) const {
+  const float weights = sum_of(weight);
   if (!(weights > 0.0F)) return false;
-  value = Rgb(sum_lanes(sums.red), sum_lanes(sums.green), sum_lanes(sums.blue)) / weights;
+  value = Rgb(sum_of(red), sum_of(green), sum_of(blue)) / weights;
   return true;
 }
 
@@ -119,9 +106,12 @@ Rgb Expansion::evaluate(const Place& at) const {
   Rgb sum;
   for (std::uint32_t level = 0; level < levels_; ++level) {
     const Cluster& cluster = clusters_[level * groups_ + at.group];
-    Sums sums{};
-    cluster.tree.visit_point(at.position, [&](std::uint32_t block) { add_weights(cluster.blocks[block], at, sums); });
-    if (Rgb value; level_value(sums, value)) sum += value;
+    Sums sums;
+    cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
+      const Block& block = cluster.blocks[index];
+      sums.add_weights(block, squared_ratio(block, at.position), cosine(block, at.normal));
+    });
+    if (Rgb value; sums.level_value(value)) sum += value;
   }
   return sum;
 }
@@ -131,16 +121,18 @@ Rgb Expansion::evaluate_seen(const Place& at, const Vec3& receiver, float solid_
   for (std::uint32_t level = 0; level < levels_; ++level) {
     const Cluster& cluster = clusters_[level * groups_ + at.group];
     if (cluster.tree.empty()) continue;
-    Sums sums{};
-    cluster.tree.visit_point(at.position, [&](std::uint32_t block) {
-      add_weights(cluster.blocks[block], at, sums);
-      add_solid_angles(cluster.blocks[block], at, receiver, sums);
+    Sums sums;
+    cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
+      const Block& block = cluster.blocks[index];
+      const Lanes ratio = squared_ratio(block, at.position), facing = cosine(block, at.normal);
+      sums.add_weights(block, ratio, facing);
+      sums.add_solid_angles(block, receiver, ratio, facing);
     });
     Rgb value;
-    if (!level_value(sums, value)) continue;
+    if (!sums.level_value(value)) continue;
     ++levels_used;
     sum += value;
-    if (sum_lanes(sums.solid_angle) < solid_angle * sum_lanes(sums.covering)) break;
+    if (sum_of(sums.solid_angle) < solid_angle * sum_of(sums.covering)) break;
   }
   return sum;
 }

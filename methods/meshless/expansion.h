@@ -9,6 +9,7 @@
 #include "methods/meshless/box_tree.h"
 #include "methods/meshless/coefficients.h"
 #include "methods/meshless/hierarchy.h"
+#include "methods/meshless/lanes.h"
 
 namespace gibench::meshless {
 
@@ -27,15 +28,19 @@ class Expansion {
   std::size_t bytes() const;
 
  private:
-  /// Eight basis functions; missing ones have an infinite inverse radius and never weigh.
-  struct alignas(32) Block {
-    float position[3][tree_width], normal[3][tree_width], inverse_radius_squared[tree_width];
-    float red[tree_width], green[tree_width], blue[tree_width];
+  /// Eight basis functions; missing ones have no normal and never weigh.
+  struct Block {
+    Lanes position[3], normal[3], inverse_radius_squared, red, green, blue;
   };
   /// What a level contributes at one place, lane by lane.
-  struct alignas(32) Sums {
-    float weight[tree_width], red[tree_width], green[tree_width], blue[tree_width];
-    float covering[tree_width], solid_angle[tree_width];
+  struct Sums {
+    Lanes weight{}, red{}, green{}, blue{};
+    Lanes covering{}, solid_angle{};
+
+    void add_weights(const Block& block, const Lanes& squared_ratio, const Lanes& cosine);
+    void add_solid_angles(const Block& block, const Vec3& receiver, const Lanes& squared_ratio, const Lanes& cosine);
+    /// Divides by the weights; false, and nothing to add, where none covers the place.
+    bool level_value(Rgb& value) const;
   };
   struct Cluster {
     std::vector<Block> blocks;
@@ -45,9 +50,8 @@ class Expansion {
   void add_cluster(const Coefficients& coefficients, std::uint32_t level, std::uint32_t group,
                    const std::vector<std::uint32_t>& points);
   static Block make_block(const Coefficients& coefficients, std::uint32_t begin, std::uint32_t end);
-  static void add_weights(const Block& block, const Place& at, Sums& sums);
-  static void add_solid_angles(const Block& block, const Place& at, const Vec3& receiver, Sums& sums);
-  static bool level_value(const Sums& sums, Rgb& value);
+  static Lanes squared_ratio(const Block& block, const Vec3& position);
+  static Lanes cosine(const Block& block, const Vec3& normal);
 
   std::uint32_t levels_ = 0, groups_ = 0;
   std::vector<Cluster> clusters_;  ///< by level, then group

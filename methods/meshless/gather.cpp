@@ -1,6 +1,7 @@
 #include "methods/meshless/gather.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/core/random.h"
@@ -10,6 +11,7 @@ namespace gibench::meshless {
 
 namespace {
 
+constexpr std::size_t parts = 4;  // of a pattern, to judge the deviation from
 constexpr std::uint64_t turn_stage = 0x7475726eULL;
 constexpr std::uint64_t direct_stage = 0x6869742064697265ULL;
 
@@ -42,6 +44,20 @@ std::uint32_t morton_number(const Vec3& direction) {
     return (bits | (bits << 1)) & 0x5555U;
   };
   return spread(direction.x) | spread(direction.y) << 1;
+}
+
+/// Mean of the parts' sums and the deviation of that mean, were the parts independent.
+Estimate estimate_of(const std::array<RgbDouble, parts>& sums, std::size_t rays) {
+  RgbDouble total;
+  for (const RgbDouble& sum : sums) total += sum;
+  double variance = 0.0;  // of the sum, largest channel
+  for (int channel = 0; channel < 3; ++channel) {
+    double squares = 0.0;
+    for (const RgbDouble& sum : sums) squares += std::pow(sum[channel] - total[channel] / parts, 2);
+    variance = std::max(variance, squares * parts / (parts - 1));
+  }
+  const auto count = static_cast<double>(rays);
+  return {Rgb(total / count), static_cast<float>(std::sqrt(variance) / count)};
 }
 
 }  // namespace
@@ -87,11 +103,24 @@ void Gatherer::trace(const SurfaceSample& receiver, std::uint64_t key, RayStream
   rays.closest_hits(buffers.rays, buffers.hits);
 }
 
-Rgb Gatherer::irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
-                         GatherBuffers& buffers) const {
+Estimate Gatherer::irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
+                              GatherBuffers& buffers) const {
   trace(receiver, key, rays, buffers);
+  collect_lit_hits(buffers);
+  buffers.values.resize(buffers.lit.size());
+  sender.irradiance(buffers.lit, receiver.position, key, rays, buffers.values, buffers.levels_used);
+  buffers.evaluations += buffers.lit.size();
+  std::array<RgbDouble, parts> sums;
+  for (std::size_t i = 0; i < buffers.lit.size(); ++i)
+    sums[buffers.ray_of_lit[i] % parts] += RgbDouble(buffers.albedos[i] * buffers.values[i]);
+  return estimate_of(sums, pattern_.size());
+}
+
+/// Keeps the hits on lit sides that reflect.
+void Gatherer::collect_lit_hits(GatherBuffers& buffers) const {
   buffers.lit.clear();
   buffers.albedos.clear();
+  buffers.ray_of_lit.clear();
   const Scene& scene = world_.scene();
   for (std::size_t i = 0; i < buffers.hits.size(); ++i) {
     const Hit& hit = buffers.hits[i];
@@ -102,16 +131,11 @@ Rgb Gatherer::irradiance(const SurfaceSample& receiver, std::uint64_t key, const
     const Vec3& front = world_.normal(hit.triangle);
     const bool on_front = glm::dot(front, direction) <= 0.0F;
     if (!on_front && !scene.objects[scene.triangle_object[hit.triangle]].two_sided) continue;
-    buffers.lit.push_back(
-        surface_sample(world_, hit.triangle, buffers.rays[i].origin + hit.distance * direction, on_front ? front : -front));
+    const Vec3 position = buffers.rays[i].origin + hit.distance * direction;
+    buffers.lit.push_back(surface_sample(world_, hit.triangle, position, on_front ? front : -front));
     buffers.albedos.push_back(albedo);
+    buffers.ray_of_lit.push_back(static_cast<std::uint32_t>(i));
   }
-  buffers.values.resize(buffers.lit.size());
-  sender.irradiance(buffers.lit, receiver.position, key, rays, buffers.values, buffers.levels_used);
-  buffers.evaluations += buffers.lit.size();
-  RgbDouble sum;
-  for (std::size_t i = 0; i < buffers.lit.size(); ++i) sum += RgbDouble(buffers.albedos[i] * buffers.values[i]);
-  return Rgb(sum / static_cast<double>(pattern_.size()));
 }
 
 }  // namespace gibench::meshless

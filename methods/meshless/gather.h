@@ -55,8 +55,15 @@ struct GatherBuffers {
   std::vector<Ray> rays;
   std::vector<Hit> hits;
   std::vector<SurfaceSample> lit;
+  std::vector<std::uint32_t> ray_of_lit;
   std::vector<Rgb> albedos, values;
   std::uint64_t levels_used = 0, evaluations = 0;
+};
+
+/// An estimate and how far it may be off.
+struct Estimate {
+  Rgb value;
+  float deviation = 0.0F;  ///< standard deviation of the largest channel's estimate
 };
 
 class Gatherer {
@@ -66,13 +73,15 @@ class Gatherer {
 
   /// Irradiance at a sample from light reflected by the surfaces that its rays hit, W/m²: Σ albedo · E(hit) / rays.
   /// The pattern is turned about the normal by an angle drawn from `key`; the albedo is that of the hit itself.
-  Rgb irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
-                 GatherBuffers& buffers) const;
+  /// The deviation is judged from four interleaved parts of the pattern, which makes it too large rather than too small.
+  Estimate irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
+                      GatherBuffers& buffers) const;
 
   std::size_t bytes() const { return pattern_.capacity() * sizeof(Vec3); }
 
  private:
   void trace(const SurfaceSample& receiver, std::uint64_t key, RayStream& rays, GatherBuffers& buffers) const;
+  void collect_lit_hits(GatherBuffers& buffers) const;
 
   const World& world_;
   std::vector<Vec3> pattern_;  ///< local directions, z along the normal

@@ -14,6 +14,7 @@ constexpr std::size_t ray_chunk = 1024;    // rays
 constexpr double expected_density = 0.65;  // samples per squared radius of area, near saturation
 constexpr int radius_rounds = 5;           // at most, to meet the wanted number of coarsest samples
 constexpr double radius_tolerance = 0.03;  // of that number
+constexpr int most_placement_rays = 4;     // of the backface test of a proposal; the next one near by is tested anew
 constexpr std::uint64_t direction_stage = 0x6261636b73ULL;
 
 bool meets_back(const World& world, const Hit& hit, const Vec3& direction) {
@@ -47,7 +48,7 @@ class GroupSamplers {
       options.cancelled = [&task] { return task.cancelled(); };
       if (settings.backface_test)
         options.test = [&world, &settings, &task](std::span<const DiscPoint> points, std::span<std::uint8_t> clear) {
-          clear_of_backfaces(world, points, clear, settings.backface_rays, task);
+          clear_of_backfaces(world, points, clear, std::min(settings.backface_rays, most_placement_rays), task);
         };
       samplers_.emplace_back(world, sides[group], options);
       area_ += samplers_.back().area();

@@ -9,34 +9,42 @@ namespace gibench::meshless {
 namespace {
 
 constexpr std::size_t search_chunk = 64;  // points
+constexpr double slowest_fading = 0.95;   // of the terms of a series, for foreseeing its sum
+constexpr double negligible_term = 1e-3;  // of that sum
 
 float largest_magnitude(const Rgb& value) { return std::max({std::fabs(value.r), std::fabs(value.g), std::fabs(value.b)}); }
 
 /// One approximation in the making.
 class Refinement {
  public:
-  Refinement(const Hierarchy& hierarchy, const PointValues& values, double epsilon_e, Task& task)
+  Refinement(const Hierarchy& hierarchy, const PointValues& values, const RefinementRule& rule, Task& task)
       : hierarchy_(hierarchy),
         values_(values),
-        epsilon_e_(epsilon_e),
+        rule_(rule),
         task_(task),
         coefficients_(hierarchy),
-        asked_(hierarchy.size(), 0) {}
+        asked_(hierarchy.size(), 0),
+        deviation_(hierarchy.size(), 0.0F) {}
 
-  void set_threshold(const Rgb& solution_mean) {
-    const RgbDouble mean = coarsest_mean(coefficients_) + RgbDouble(solution_mean);
-    threshold_ = static_cast<float>(epsilon_e_ * (mean.r + mean.g + mean.b) / 3.0);
+  void set_threshold() {
+    const double own = channel_mean(coarsest_mean(coefficients_));
+    double reference = rule_.solution_mean + own;
+    const double ratio = rule_.previous_mean > 0.0 ? std::clamp(own / rule_.previous_mean, 0.0, slowest_fading) : 0.0;
+    double term = own * ratio;
+    for (int left = rule_.terms_left; left > 0 && term > reference * negligible_term; --left, term *= ratio) reference += term;
+    threshold_ = static_cast<float>(rule_.epsilon_e * reference);
   }
 
-  std::vector<std::uint32_t> coarsest() {
-    std::vector<std::uint32_t> points(hierarchy_.level_size(0));
+  /// All points of the levels that are not refined but computed wholly.
+  std::vector<std::uint32_t> first_points() {
+    std::vector<std::uint32_t> points(hierarchy_.level_begin(std::min(rule_.full_level, hierarchy_.levels() - 1) + 1));
     std::iota(points.begin(), points.end(), 0U);
     return mark(points);
   }
 
   /// Computes the coefficients of points whose parents are computed or among them; sorted coarse to fine.
   void compute(const std::vector<std::uint32_t>& points) {
-    std::vector<Rgb> values(points.size());
+    std::vector<Estimate> values(points.size());
     values_(points, values);
     auto begin = points.begin();
     for (std::uint32_t level = 0; level < hierarchy_.levels() && begin != points.end(); ++level) {
@@ -44,7 +52,10 @@ class Refinement {
       const auto first = static_cast<std::size_t>(begin - points.begin());
       const auto count = static_cast<std::size_t>(end - begin);
       if (level > 0) subtract_parents(std::span(points).subspan(first, count), std::span(values).subspan(first, count), level);
-      for (std::size_t i = first; i < first + count; ++i) coefficients_.set(points[i], values[i]);
+      for (std::size_t i = first; i < first + count; ++i) {
+        coefficients_.set(points[i], values[i].value);
+        deviation_[points[i]] = values[i].deviation;
+      }
       begin = end;
     }
   }
@@ -92,12 +103,16 @@ class Refinement {
   }
 
   bool needs_refinement(std::uint32_t point) const {
-    if (point >= hierarchy_.level_begin(1)) return largest_magnitude(coefficients_[point]) > threshold_;
+    if (point >= hierarchy_.level_begin(1)) return is_detail(coefficients_[point], deviation_[point]);
     bool varies = false;
     hierarchy_.visit_covering(0, hierarchy_.place(point), [&](std::uint32_t other, float) {
-      varies = varies || largest_magnitude(coefficients_[point] - coefficients_[other]) > threshold_;
+      varies = varies || is_detail(coefficients_[point] - coefficients_[other], std::hypot(deviation_[point], deviation_[other]));
     });
     return varies;
+  }
+
+  bool is_detail(const Rgb& difference, float deviation) const {
+    return largest_magnitude(difference) > std::max(threshold_, static_cast<float>(rule_.noise_guard) * deviation);
   }
 
   void find_children(std::uint32_t point, std::vector<std::uint32_t>& found) const {
@@ -119,19 +134,20 @@ class Refinement {
   }
 
   /// Eq. 10: values become differences to the approximation of the coarser levels.
-  void subtract_parents(std::span<const std::uint32_t> points, std::span<Rgb> values, std::uint32_t level) {
+  void subtract_parents(std::span<const std::uint32_t> points, std::span<Estimate> values, std::uint32_t level) {
     task_.parallel_chunks(points.size(), search_chunk, [&](const ChunkRange& range) {
       for (std::size_t i = range.begin; i < range.end; ++i)
-        values[i] -= coefficients_.evaluate(hierarchy_.place(points[i]), level - 1);
+        values[i].value -= coefficients_.evaluate(hierarchy_.place(points[i]), level - 1);
     });
   }
 
   const Hierarchy& hierarchy_;
   const PointValues& values_;
-  double epsilon_e_;
+  const RefinementRule& rule_;
   Task& task_;
   Coefficients coefficients_;
   std::vector<std::uint8_t> asked_;  ///< computed or about to be
+  std::vector<float> deviation_;     ///< of the estimates at the computed points, W/m²
   float threshold_ = 0.0F;           ///< W/m²
 };
 
@@ -145,10 +161,10 @@ RgbDouble coarsest_mean(const Coefficients& coefficients) {
 }
 
 Coefficients approximate(const Hierarchy& hierarchy, const PointValues& values, const RefinementRule& rule, Task& task) {
-  Refinement refinement(hierarchy, values, rule.epsilon_e, task);
-  std::vector<std::uint32_t> wanted = refinement.coarsest();
+  Refinement refinement(hierarchy, values, rule, task);
+  std::vector<std::uint32_t> wanted = refinement.first_points();
   refinement.compute(wanted);
-  refinement.set_threshold(rule.solution_mean);
+  refinement.set_threshold();
   while (!task.cancelled()) {
     wanted = refinement.refine(wanted);
     if (wanted.empty()) break;

@@ -9,26 +9,35 @@
 
 #include "common/method/task.h"
 #include "methods/meshless/coefficients.h"
+#include "methods/meshless/gather.h"
 
 namespace gibench::meshless {
 
-/// Computes the function at basis points: values[i] at points[i]. May run on all threads of the task.
-using PointValues = std::function<void(std::span<const std::uint32_t> points, std::span<Rgb> values)>;
+/// Estimates the function at basis points: values[i] at points[i]. May run on all threads of the task.
+using PointValues = std::function<void(std::span<const std::uint32_t> points, std::span<Estimate> values)>;
 
 struct RefinementRule {
-  double epsilon_e = 0.0;  ///< share of the reference value
-  Rgb solution_mean;       ///< mean over the coarsest samples of what was accumulated before this bounce
+  double epsilon_e = 0.0;        ///< share of the reference value
+  double noise_guard = 0.0;      ///< deviations that a difference must exceed to count as detail
+  std::uint32_t full_level = 0;  ///< levels up to this one are computed wholly
+  double solution_mean = 0.0;    ///< mean over the coarsest samples of what was accumulated before, W/m²
+  double previous_mean = 0.0;    ///< likewise of the term of the series before this one; 0: this is not a series
+  int terms_left = 0;            ///< terms of the series still to come
 };
 
-/// The coefficients of a function (Eq. 10), refined from coarse to fine. All functions of level 0 are computed
+/// The coefficients of a function (Eq. 10), refined from coarse to fine. The levels up to full_level are computed
 /// first. RECEIVER-ORACLE: a coarsest function is refined where its value differs from that of another one which
 /// covers its point by more than epsilon_e times the reference, a finer one where its coefficient is larger than
-/// that in magnitude, the largest channel deciding. The reference is the mean over the coarsest samples of this
-/// function plus rule.solution_mean, averaged over the channels. Refining computes the functions of the next level that cover the
-/// point and, before them, every coarser one that covers theirs (their parents).
+/// that in magnitude, the largest channel deciding; and by more than noise_guard deviations of the estimates (an
+/// addition: the paper's oracle would chase the noise of its gathers to the finest level). The reference is the mean
+/// irradiance, over the coarsest samples and the channels, that the whole series is foreseen to come to: solution_mean
+/// and this term, and the terms left where they fade as this one did. Refining computes the functions of the next
+/// level that cover the point and, before them, every coarser one that covers theirs (their parents).
 Coefficients approximate(const Hierarchy& hierarchy, const PointValues& values, const RefinementRule& rule, Task& task);
 
 /// Mean over the coarsest samples, which lie uniformly by area.
 RgbDouble coarsest_mean(const Coefficients& coefficients);
+
+constexpr double channel_mean(const RgbDouble& value) { return (value.r + value.g + value.b) / 3.0; }
 
 }  // namespace gibench::meshless

@@ -31,12 +31,18 @@ ParameterSchema settings_schema() {
       {"radius_limit", 4.0, 1.0, largest, {}, "largest reach of a basis function, disc radii of its level"},
       {"rays", std::int64_t{512}, 1, 65536, {}, "rays of a gather"},
       {"epsilon_E",
-       0.02,
+       0.05,
        0.0,
        largest,
        {},
        "receivers are refined where irradiance varies by more, share of the mean indirect irradiance"},
       {"epsilon_Omega", 0.3141592653589793, 0.0, 12.6, {}, "senders are evaluated down to balls of this solid angle, sr"},
+      {"noise_guard",
+       4.0,
+       0.0,
+       100.0,
+       {},
+       "standard deviations of the gathers that a difference must exceed to be refined; 0: the paper's oracle"},
       {"bounces", std::int64_t{100}, 1, 10000, {}, "most bounces that are computed"},
       {"residual", 1e-3, 1e-9, 1.0, {}, "the series ends when the bounces left out hold less, share of the solution"},
       {"extrapolate", true, 0, 0, {}, "add the bounces left out as a geometric series once they follow one"},
@@ -75,6 +81,7 @@ Settings settings_from(const Parameters& parameters) {
   settings.rays = whole("rays");
   settings.epsilon_e = parameters.real("epsilon_E");
   settings.epsilon_omega = parameters.real("epsilon_Omega");
+  settings.noise_guard = parameters.real("noise_guard");
   settings.bounces = whole("bounces");
   settings.residual = parameters.real("residual");
   settings.extrapolate = parameters.flag("extrapolate");

@@ -34,6 +34,7 @@ struct Settings {
   int rays = 512;            ///< of a gather
   double epsilon_e = 0.0;    ///< receiver threshold, share of the mean irradiance
   double epsilon_omega = 0;  ///< sender threshold, sr
+  double noise_guard = 0.0;  ///< deviations of the estimates that a difference must exceed to be refined
   int bounces = 0;           ///< most bounces computed one by one
   double residual = 0.0;     ///< share of the solution that the bounces left out may hold
   bool extrapolate = true;   ///< add the geometric tail once the bounces have settled into it

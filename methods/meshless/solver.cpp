@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "common/core/random.h"
@@ -15,9 +16,10 @@ namespace {
 
 constexpr std::uint64_t gather_stage = 0x676174686572ULL;
 constexpr std::uint64_t direct_stage = 0x64697265637473ULL;
-constexpr std::size_t gather_chunk = 4;    // points
-constexpr std::size_t direct_chunk = 64;   // points
-constexpr double least_ratio_left = 1e-6;  // 1 - ratio of two bounces, below which a tail is not summed
+constexpr std::uint32_t direct_full_level = 2;  // small lights and shadows must not slip between the coarsest samples
+constexpr std::size_t gather_chunk = 4;         // points
+constexpr std::size_t direct_chunk = 64;        // points
+constexpr double least_ratio_left = 1e-6;       // 1 - ratio of two bounces, below which a tail is not summed
 
 RgbDouble magnitude_mean(const Coefficients& coefficients) {
   const std::uint32_t count = coefficients.hierarchy().level_size(0);
@@ -62,15 +64,34 @@ class Solver {
       : world_(world), transport_(transport), light_(light), settings_(settings), task_(task), gatherer_(world, settings.rays) {}
 
   Coefficients direct() {
-    const PointValues values = [this](std::span<const std::uint32_t> points, std::span<Rgb> out) { sample_direct(points, out); };
-    return approximate(transport_.hierarchy, values, {settings_.epsilon_e, Rgb()}, task_);
+    const PointValues values = [this](std::span<const std::uint32_t> points, std::span<Estimate> out) {
+      sample_direct(points, out);
+    };
+    RefinementRule rule = rule_of(0.0);
+    rule.full_level = direct_full_level;
+    return approximate(transport_.hierarchy, values, rule, task_);
   }
 
-  Coefficients bounce(const Sender& sender, int number, const Rgb& solution_mean) {
-    const PointValues values = [&](std::span<const std::uint32_t> points, std::span<Rgb> out) {
+  /// Mean direct irradiance over the coarsest samples, W/m².
+  double direct_mean() {
+    std::vector<std::uint32_t> points(transport_.hierarchy.level_size(0));
+    std::iota(points.begin(), points.end(), 0U);
+    std::vector<Estimate> values(points.size());
+    sample_direct(points, values);
+    double sum = 0.0;
+    for (const Estimate& estimate : values) sum += channel_mean(RgbDouble(estimate.value));
+    return points.empty() ? 0.0 : sum / static_cast<double>(points.size());
+  }
+
+  /// Bounce `number`, of at most `bound`; the means are those of the bounces before it and of the one just before.
+  Coefficients bounce(const Sender& sender, int number, int bound, double solution_mean, double previous_mean) {
+    const PointValues values = [&](std::span<const std::uint32_t> points, std::span<Estimate> out) {
       gather(sender, number, points, out);
     };
-    Coefficients made = approximate(transport_.hierarchy, values, {settings_.epsilon_e, solution_mean}, task_);
+    RefinementRule rule = rule_of(solution_mean);
+    rule.previous_mean = previous_mean;
+    rule.terms_left = bound - number;
+    Coefficients made = approximate(transport_.hierarchy, values, rule, task_);
     task_.count("basis_functions", made.size());
     return made;
   }
@@ -81,6 +102,14 @@ class Solver {
   DirectSender direct_sender() const { return DirectSender(light_, settings_.direct_samples); }
 
  private:
+  RefinementRule rule_of(double solution_mean) const {
+    RefinementRule rule;
+    rule.epsilon_e = settings_.epsilon_e;
+    rule.noise_guard = settings_.noise_guard;
+    rule.solution_mean = solution_mean;
+    return rule;
+  }
+
   SurfaceSample sample(std::uint32_t point) const {
     const Hierarchy& hierarchy = transport_.hierarchy;
     const Vec3& front = world_.normal(hierarchy.triangle(point));
@@ -88,7 +117,7 @@ class Solver {
                           hierarchy.on_front(point) ? front : -front);
   }
 
-  void gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Rgb> out) {
+  void gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Estimate> out) {
     std::vector<std::uint64_t> levels(chunk_count(points.size(), gather_chunk)), evaluations(levels.size());
     task_.parallel_chunks(points.size(), gather_chunk, [&](const ChunkRange& range) {
       RayStream rays = task_.rays(world_);
@@ -105,14 +134,22 @@ class Solver {
     for (std::uint64_t count : evaluations) task_.count("sender_evaluations", count);
   }
 
-  void sample_direct(std::span<const std::uint32_t> points, std::span<Rgb> out) {
+  void sample_direct(std::span<const std::uint32_t> points, std::span<Estimate> out) {
     task_.parallel_chunks(points.size(), direct_chunk, [&](const ChunkRange& range) {
       RayStream rays = task_.rays(world_);
-      for (std::size_t i = range.begin; i < range.end; ++i)
-        out[i] = light_.irradiance(sample(points[i]), mix_keys(task_.seed(), direct_stage, points[i]),
-                                   settings_.basis_direct_samples, rays);
+      for (std::size_t i = range.begin; i < range.end; ++i) out[i] = direct_estimate(points[i], rays);
     });
     task_.count("direct_samples", points.size());
+  }
+
+  /// Two independent halves give the value and its deviation.
+  Estimate direct_estimate(std::uint32_t point, RayStream& rays) const {
+    const int half = std::max(1, settings_.basis_direct_samples / 2);
+    const std::uint64_t key = mix_keys(task_.seed(), direct_stage, point);
+    const Rgb first = light_.irradiance(sample(point), mix_keys(key, 0), half, rays);
+    const Rgb second = light_.irradiance(sample(point), mix_keys(key, 1), half, rays);
+    const Rgb apart = first - second;
+    return {0.5F * (first + second), 0.5F * std::max({std::fabs(apart.r), std::fabs(apart.g), std::fabs(apart.b)})};
   }
 
   const World& world_;
@@ -134,16 +171,16 @@ class Series {
       : solver_(solver), settings_(settings), max_bounces_(max_bounces), task_(task) {}
 
   void run(const Coefficients* direct, const Hierarchy& hierarchy, Solution& solution) {
+    const int bound = max_bounces_ ? std::min(*max_bounces_, settings_.bounces) : settings_.bounces;
     Coefficients sum(hierarchy);
-    Coefficients last = direct != nullptr ? solver_.bounce(solver_.sender_of(*direct), 1, Rgb())
-                                          : solver_.bounce(solver_.direct_sender(), 1, Rgb());
+    Coefficients last = direct != nullptr ? solver_.bounce(solver_.sender_of(*direct), 1, bound, 0.0, mean_of(*direct))
+                                          : solver_.bounce(solver_.direct_sender(), 1, bound, 0.0, solver_.direct_mean());
     add_scaled(sum, last, Rgb(1.0F));
     solution.termination = Termination::bound_reached;
-    const int bound = max_bounces_ ? std::min(*max_bounces_, settings_.bounces) : settings_.bounces;
     task_.progress("bounce 1", 1.0 / bound);
     Convergence state;
     for (int number = 2; number <= bound && !task_.cancelled(); ++number) {
-      Coefficients next = solver_.bounce(solver_.sender_of(last), number, Rgb(coarsest_mean(sum)));
+      Coefficients next = solver_.bounce(solver_.sender_of(last), number, bound, mean_of(sum), mean_of(last));
       add_scaled(sum, next, Rgb(1.0F));
       state = judge(next, last, sum);
       last = std::move(next);
@@ -161,6 +198,8 @@ class Series {
   }
 
  private:
+  static double mean_of(const Coefficients& coefficients) { return channel_mean(coarsest_mean(coefficients)); }
+
   /// Whether the series may end here; adds the tail where it has settled.
   bool converged(const Convergence& state, int number, const Coefficients& last, Coefficients& sum) const {
     if (state.residual < settings_.residual) return true;
