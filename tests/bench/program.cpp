@@ -17,7 +17,10 @@ using Json = nlohmann::ordered_json;
 
 std::string quoted(const std::string& text) {
   std::string shell = "'";
-  for (const char c : text) shell += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  for (const char c : text) {
+    if (c == '\'') shell.append("'\\''");
+    else shell.push_back(c);
+  }
   return shell.append("'");
 }
 
@@ -55,9 +58,11 @@ Workshop::Workshop() {
 }
 
 Outcome Workshop::gibench(const std::vector<std::string>& arguments, const std::string& before) const {
-  std::string command = "cd " + quoted(path().string()) + "; ulimit -c 0; " + before + " exec " GIBENCH_PROGRAM;
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  command += " >" + quoted((folder_ / "stdout.txt").string()) + " 2>" + quoted((folder_ / "stderr.txt").string());
+  std::string command = "cd ";
+  command.append(quoted(path().string())).append("; ulimit -c 0; ").append(before).append(" exec " GIBENCH_PROGRAM);
+  for (const std::string& argument : arguments) command.append(" ").append(quoted(argument));
+  command.append(" >").append(quoted((folder_ / "stdout.txt").string()));
+  command.append(" 2>").append(quoted((folder_ / "stderr.txt").string()));
   Outcome outcome;
   const int status = std::system(command.c_str());
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
