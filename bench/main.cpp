@@ -1,4 +1,6 @@
 /// The program: parses the call, runs one verb, turns what went wrong into one line and an exit status.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -29,6 +31,12 @@ std::string called_verb(const CLI::App& app) {
   return verbs.empty() ? "gibench" : "gibench " + verbs.front()->get_name();
 }
 
+/// CLI11 would say of an unknown verb only that one is required.
+bool is_verb(const CLI::App& app, const std::string& word) {
+  const auto verbs = app.get_subcommands([&](const CLI::App* verb) { return verb->check_name(word); });
+  return !verbs.empty();
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("Compares light-transport methods on the same scenes: how much accuracy does a second buy?", "gibench");
   app.set_version_flag("--version", version() + " (" + commit() + ")");
@@ -36,6 +44,8 @@ int run_program(int argc, char** argv) {
   Call call;
   add_verbs(app, call);
   try {
+    if (argc > 1 && argv[1][0] != '-' && !is_verb(app, argv[1]))
+      return failed(ExitStatus::bad_input, fmt::format("unknown verb '{}'; see gibench --help", argv[1]));
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
@@ -66,6 +76,7 @@ int main(int argc, char** argv) {
   listen_for_cancellation();
   const int status = guarded(argc, argv);
   // Answers on stdout that did not fit on the disk are no answers.
-  if (std::fflush(stdout) != 0 && status == 0) return failed(ExitStatus::work_failed, "stdout: cannot be written to");
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && status == 0)
+    return failed(ExitStatus::work_failed, "stdout: cannot be written to");
   return status;
 }

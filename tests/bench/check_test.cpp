@@ -37,7 +37,7 @@ TEST(Check, EveryWrongSceneGetsOneLineWithPlaceAndMend) {
   const std::string triangle = R"("vertices":[[0,0,0],[1,0,0],[0,0,1]],"faces":[[0,1,2]])";
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
       {"{", {"wrong.scene.json"}},
-      {R"({"gibench_scene":1,"objects":[],"colour":1})", {"wrong.scene.json", "colour"}},
+      {R"({"gibench_scene":1,"objects":[{"name":"o","file":"o.ply"}],"colour":1})", {"wrong.scene.json", "colour"}},
       {R"({"gibench_scene":1,"objects":[]})", {"wrong.scene.json", "objects"}},
       {R"({"gibench_scene":1,"materials":{"m":{"bsdf":"diffuse","albedo":1.5}},"objects":[{"name":"o","material":"m",)" +
            triangle + "}]}",

@@ -61,7 +61,8 @@ TEST(Query, AFurnaceGivesItsClosedForm) {
 TEST(Query, BouncesCutTheSeries) {
   const Workshop shop;
   for (int bounces = 0; bounces <= 2; ++bounces) {
-    const Json answers = ask(shop, {floor_query("irradiance")}, {"--bounces", std::to_string(bounces)}).json()["queries"];
+    const Json answers =
+        ask(shop, Json::array({floor_query("irradiance")}), {"--bounces", std::to_string(bounces)}).json()["queries"];
     expect_value(answers[0], pi * (2.0 - std::pow(0.5, bounces)));
   }
 }
@@ -77,7 +78,7 @@ TEST(Query, AQueryMayCarryItsOwnBoundAndWhatItExpects) {
 
 TEST(Query, AMethodWithoutVarianceSaysNull) {
   const Workshop shop;
-  shop.write("points.json", Json{{"queries", {floor_query("irradiance")}}});
+  shop.write("points.json", Json{{"queries", Json::array({floor_query("irradiance")})}});
   const Json answers =
       shop.gibench({"query", "furnace.scene.json", "--method", "meshless", "--points", "points.json"}).json()["queries"];
   EXPECT_TRUE(answers[0]["standard_error"].is_null());

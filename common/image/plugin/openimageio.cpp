@@ -100,6 +100,7 @@ std::string encode_float_exr(int width, int height, std::span<const EncodedChann
   spec.channelnames.clear();
   for (const EncodedChannel& channel : channels) spec.channelnames.push_back(channel.name);
   spec.attribute("compression", "zip");
+  spec.attribute("DateTime", "0000:00:00 00:00:00");  // the time of writing would make equal pictures differ in their bytes
   for (const auto& [name, value] : header) spec.attribute(name, value);
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::vector<float> samples(pixels * channels.size());
