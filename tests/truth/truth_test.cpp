@@ -16,8 +16,7 @@ namespace {
 
 constexpr double rounding = 1e-4;  // relative; what single precision may cost a noise-free value
 constexpr double aim = 0.005;      // relative standard error that the samples are chosen for
-constexpr std::int64_t pilot_samples = 2048, fewest_samples = 8192, most_samples = 1 << 15;
-constexpr std::int64_t mean_samples = 32;  // at each point of a mean
+constexpr std::int64_t pilot_samples = 512, most_samples = 1 << 15;
 constexpr int replicates = 64;
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -52,10 +51,13 @@ double relative_error_of(const Answer& answer, const Question& question) {
   return worst;
 }
 
+/// Whether the question's paths are one ray long: cheap, but what they rarely meet has to be met some times.
+bool short_paths(const Question& question) { return question.bounces == 0 || question.quantity == Quantity::accessibility; }
+
 /// The samples, a power of two, that bring a relative standard error of `pilot` at `pilot_samples` down to the aim.
-std::int64_t samples_for(double pilot) {
+std::int64_t samples_for(const Question& question, double pilot) {
   const double wanted = static_cast<double>(pilot_samples) * (pilot / aim) * (pilot / aim);
-  std::int64_t samples = fewest_samples;
+  std::int64_t samples = short_paths(question) ? 8192 : 1024;
   while (static_cast<double>(samples) < wanted && samples < most_samples) samples *= 2;
   return samples;
 }
@@ -132,14 +134,17 @@ class PathTracedCase {
   std::map<std::int64_t, std::vector<Question>> by_samples(const std::vector<Question>& group) const {
     std::map<std::int64_t, std::vector<Question>> result;
     std::vector<Question> points;
-    for (const Question& question : group) (question.place == Place::mean ? result[mean_samples] : points).push_back(question);
+    for (const Question& question : group) {
+      if (question.place == Place::mean) result[short_paths(question) ? 32 : 8].push_back(question);
+      else points.push_back(question);
+    }
     const std::vector<Answer> pilot = ask(entry_, truth_.scene, points, run_with(pilot_samples, 1));
     for (std::size_t i = 0; i < points.size(); ++i)
-      result[samples_for(relative_error_of(pilot[i], points[i]))].push_back(points[i]);
+      result[samples_for(points[i], relative_error_of(pilot[i], points[i]))].push_back(points[i]);
     return result;
   }
 
-  static Run run_with(std::int64_t samples, std::uint64_t seed) { return {sampling(samples), seed, 64, 32}; }
+  static Run run_with(std::int64_t samples, std::uint64_t seed) { return {sampling(samples), seed, 64, 16}; }
 
   void check(const Answer& answer, const Question& question, std::int64_t samples) {
     if (within_errors(answer, question)) return;
@@ -163,7 +168,7 @@ void hold_to_tolerance(const MethodEntry& entry, const TruthCase& truth, const M
   }
   if (asked.empty()) GTEST_SKIP() << "nothing that " << entry.name << " is asked here";
   for (const auto& group : groups_of(asked)) {
-    const std::vector<Answer> answers = ask(entry, truth.scene, group, {rule.settings, 1, 1, 512});
+    const std::vector<Answer> answers = ask(entry, truth.scene, group, {rule.settings, 1, 1, 16384});
     for (std::size_t i = 0; i < group.size(); ++i)
       for (int c = 0; c < 3; ++c) {
         const double scale = std::max(std::fabs(group[i].value[c]), 0.1 * largest_value[group[i].quantity]);
