@@ -106,6 +106,8 @@ std::optional<SpeedUp> speed_up(const BaselineCurve& curve, const StudyRun& run,
   const auto seconds = run.transport_seconds(key.domain);
   if (run.status != RunStatus::done || !error || !seconds || *seconds <= 0.0) return std::nullopt;
   const bool below = error->below_noise_floor && error->noise_floor.has_value();
+  // The path tracer's own error, unknown or not, takes the path tracer's time.
+  if (below && run.method == baseline_method) return SpeedUp{.factor = 1.0};
   const auto at = curve.seconds_at(badness(metric_info(key.metric), below ? *error->noise_floor : error->value));
   if (!at) return std::nullopt;
   return SpeedUp{at->seconds / *seconds, below, at->extrapolated};

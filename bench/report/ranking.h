@@ -39,9 +39,10 @@ BaselineCurve baseline_curve(const Study& study, const std::string& scene, const
 /// Path tracer's time for the run's error over the run's time.
 struct SpeedUp {
   double factor = 0.0;
-  bool at_least = false;      ///< the run's error is below the noise floor, which stands in for it
+  bool at_least = false;      ///< a lower bound: the run's error is below the noise floor, which stands in for it
   bool extrapolated = false;  ///< the path tracer was not run at that error
 };
+/// Empty where the curve or the run does not say; 1 for a run of the path tracer below the noise floor.
 std::optional<SpeedUp> speed_up(const BaselineCurve& curve, const StudyRun& run, const ErrorKey& key);
 
 /// One configuration on one scene.

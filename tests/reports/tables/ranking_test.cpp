@@ -68,6 +68,9 @@ TEST(SpeedUp, BelowTheNoiseFloorIsALowerBound) {
   const auto speed = speed_up(curve, run, key);
   EXPECT_NEAR(speed->factor, 16.0, 1e-9);
   EXPECT_TRUE(speed->at_least);
+  run.method = baseline_method;
+  EXPECT_DOUBLE_EQ(speed_up(curve, run, key)->factor, 1.0);
+  EXPECT_FALSE(speed_up(curve, run, key)->at_least);
 }
 
 TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
