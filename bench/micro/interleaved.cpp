@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "bench/micro/cpu_clock.h"
 #include "common/core/parallel.h"
 #include "common/core/random.h"
 #include "common/geometry/surface_sampling.h"
@@ -25,13 +25,6 @@ struct Run {
   double seconds = 0.0;
   std::uint64_t checksum = 0;
 };
-
-/// CPU seconds of this thread so far: unlike the wall clock's, other programs' turns are not among them.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void trace_block(const TraceRays& trace, std::span<const Ray> rays, int threads, Run& run) {
   std::vector<Run> chunks(chunk_count(rays.size(), rays_per_chunk));

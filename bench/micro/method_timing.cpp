@@ -1,7 +1,6 @@
 #include "bench/micro/method_timing.h"
 
-#include <ctime>
-
+#include "bench/micro/cpu_clock.h"
 #include "bench/micro/interleaved.h"
 #include "common/core/parallel.h"
 
@@ -31,12 +30,6 @@ BareCost bare_cost(const BareEmbree& bare, std::span<const Ray> closest, std::sp
 }
 
 }  // namespace
-
-double process_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void time_against_bare(benchmark::State& state, const BareEmbree& bare, std::span<const Ray> closest, std::span<const Ray> shadow,
                        int threads, const std::function<Work()>& work) {

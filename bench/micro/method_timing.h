@@ -14,9 +14,6 @@
 
 namespace gibench::micro {
 
-/// CPU seconds of all threads of the process so far.
-double process_seconds();
-
 /// What a piece of a method's work took.
 struct Work {
   double seconds = 0.0;  ///< of CPU, all threads

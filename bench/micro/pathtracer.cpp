@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/micro/cpu_clock.h"
 #include "bench/micro/interleaved.h"
 #include "bench/micro/many_triangles.h"
 #include "bench/micro/method_timing.h"
