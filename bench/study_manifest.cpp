@@ -68,7 +68,7 @@ Json StudyRunner::run_entry(const PlannedRun& run) const {
     entry["message"] = *scenes_[run.scene].skipped;
   } else if (const auto recorded = read_json_if_there(folders_.run(run.id) / run_file);
              recorded && recorded->value("key", "") == key_of(run)) {
-    for (const char* key : {"status", "exit_code", "message", "wall_seconds", "peak_bytes"})
+    for (const char* key : {"status", "exit_code", "message", "wall_seconds", "peak_bytes", "process_peak_bytes"})
       if (recorded->contains(key)) entry[key] = recorded->at(key);
   } else {
     entry["status"] = "skipped";

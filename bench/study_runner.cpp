@@ -13,6 +13,7 @@
 
 #include "bench/cancellation.h"
 #include "bench/reference_files.h"
+#include "bench/result_files.h"
 #include "bench/run_method.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
@@ -242,7 +243,12 @@ void StudyRunner::record(const PlannedRun& run, const ChildResult& child_result,
   const std::string reason = reason_of(child_result, limits);
   if (!reason.empty()) entry["message"] = reason;
   entry["wall_seconds"] = child_result.seconds;
-  if (child_result.peak_bytes > 0) entry["peak_bytes"] = child_result.peak_bytes;
+  // A run that ended well tells its peak before it loads the library that writes its pictures.
+  const auto result = read_json_if_there(made / result_file);
+  const Json memory = result ? result->value("memory", Json::object()) : Json::object();
+  if (memory.contains("peak_bytes")) entry["peak_bytes"] = memory.at("peak_bytes");
+  else if (child_result.peak_bytes > 0) entry["peak_bytes"] = child_result.peak_bytes;
+  if (child_result.peak_bytes > 0) entry["process_peak_bytes"] = child_result.peak_bytes;
   make_folder(made);  // there already after a run that came to its end
   write_file_atomically(made / run_file, entry.dump(2) + "\n");
   fs::path partial = made;

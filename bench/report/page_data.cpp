@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "bench/report/format.h"
 #include "bench/report/json_reading.h"
@@ -115,6 +117,18 @@ Json picture_json(const PagePicture& picture) {
   return {{"run", or_null(picture.run)}, {"width", picture.width}, {"height", picture.height}, {"layers", layers}};
 }
 
+/// [method, effects it lacks] for each method whose pictures of the scene are not complete.
+Json missing_effects(const Study& study, const std::string& scene) {
+  std::map<std::string, std::set<std::string>> missing;
+  for (const std::size_t run : study.runs_of(scene))
+    if (const auto& effects = study.runs[run].effects)
+      missing[study.runs[run].method].insert(effects->missing.begin(), effects->missing.end());
+  Json list = Json::array();
+  for (const auto& [method, effects] : missing)
+    if (!effects.empty()) list.push_back({method, effects});
+  return list;
+}
+
 /// The scene's table for every error key: the rows share what the key does not change.
 Json scene_json(const Study& study, std::size_t index, const std::vector<PagePicture>& pictures,
                 const std::vector<ErrorKey>& keys) {
@@ -129,6 +143,7 @@ Json scene_json(const Study& study, std::size_t index, const std::vector<PagePic
           {"exposure", scene.exposure},
           {"facts", facts_json(scene.facts)},
           {"reference", facts_json(scene.reference)},
+          {"missing", missing_effects(study, scene.name)},
           {"runs", study.runs_of(scene.name)},
           {"pictures", shown},
           {"tables", tables}};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "methods/meshless/fit.h"
 
 namespace gibench::meshless {
 
@@ -22,12 +25,13 @@ class Refinement {
         values_(values),
         rule_(rule),
         task_(task),
+        point_values_(hierarchy),
         coefficients_(hierarchy),
         asked_(hierarchy.size(), 0),
         deviation_(hierarchy.size(), 0.0F) {}
 
   void set_threshold() {
-    const double own = channel_mean(coarsest_mean(coefficients_));
+    const double own = channel_mean(coarsest_mean(point_values_));
     double reference = rule_.solution_mean + own;
     const double ratio = rule_.previous_mean > 0.0 ? std::clamp(own / rule_.previous_mean, 0.0, slowest_fading) : 0.0;
     double term = own * ratio;
@@ -44,18 +48,20 @@ class Refinement {
 
   /// Computes the coefficients of points whose parents are computed or among them; sorted coarse to fine.
   void compute(const std::vector<std::uint32_t>& points) {
-    std::vector<Estimate> values(points.size());
-    values_(points, values);
+    std::vector<Estimate> estimates(points.size());
+    values_(points, estimates);
+    std::vector<Rgb> values;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values.push_back(estimates[i].value);
+      point_values_.set(points[i], estimates[i].value);
+      deviation_[points[i]] = estimates[i].deviation;
+    }
     auto begin = points.begin();
     for (std::uint32_t level = 0; level < hierarchy_.levels() && begin != points.end(); ++level) {
       const auto end = std::lower_bound(begin, points.end(), hierarchy_.level_begin(level + 1));
       const auto first = static_cast<std::size_t>(begin - points.begin());
-      const auto count = static_cast<std::size_t>(end - begin);
-      if (level > 0) subtract_parents(std::span(points).subspan(first, count), std::span(values).subspan(first, count), level);
-      for (std::size_t i = first; i < first + count; ++i) {
-        coefficients_.set(points[i], values[i].value);
-        deviation_[points[i]] = values[i].deviation;
-      }
+      fit_level(coefficients_, level, {begin, end}, std::span(values).subspan(first, static_cast<std::size_t>(end - begin)),
+                rule_.corrections, task_);
       begin = end;
     }
   }
@@ -75,7 +81,10 @@ class Refinement {
     return wanted;
   }
 
-  Coefficients take() { return std::move(coefficients_); }
+  /// The coefficients, fitted anew once all points are known where the order of their coming left its mark.
+  Coefficients finish() {
+    return rule_.corrections > 0 ? fit(point_values_, rule_.corrections, task_) : std::move(coefficients_);
+  }
 
  private:
   using Search = std::function<void(std::uint32_t point, std::vector<std::uint32_t>& found)>;
@@ -106,7 +115,7 @@ class Refinement {
     if (point >= hierarchy_.level_begin(1)) return is_detail(coefficients_[point], deviation_[point]);
     bool varies = false;
     hierarchy_.visit_covering(0, hierarchy_.place(point), [&](std::uint32_t other, float) {
-      varies = varies || is_detail(coefficients_[point] - coefficients_[other], std::hypot(deviation_[point], deviation_[other]));
+      varies = varies || is_detail(point_values_[point] - point_values_[other], std::hypot(deviation_[point], deviation_[other]));
     });
     return varies;
   }
@@ -133,18 +142,11 @@ class Refinement {
       });
   }
 
-  /// Eq. 10: values become differences to the approximation of the coarser levels.
-  void subtract_parents(std::span<const std::uint32_t> points, std::span<Estimate> values, std::uint32_t level) {
-    task_.parallel_chunks(points.size(), search_chunk, [&](const ChunkRange& range) {
-      for (std::size_t i = range.begin; i < range.end; ++i)
-        values[i].value -= coefficients_.evaluate(hierarchy_.place(points[i]), level - 1);
-    });
-  }
-
   const Hierarchy& hierarchy_;
   const PointValues& values_;
   const RefinementRule& rule_;
   Task& task_;
+  Coefficients point_values_;  ///< the function itself at the computed points
   Coefficients coefficients_;
   std::vector<std::uint8_t> asked_;  ///< computed or about to be
   std::vector<float> deviation_;     ///< of the estimates at the computed points, W/m²
@@ -170,7 +172,7 @@ Coefficients approximate(const Hierarchy& hierarchy, const PointValues& values, 
     if (wanted.empty()) break;
     refinement.compute(wanted);
   }
-  return refinement.take();
+  return refinement.finish();
 }
 
 }  // namespace gibench::meshless

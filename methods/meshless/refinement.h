@@ -19,6 +19,7 @@ using PointValues = std::function<void(std::span<const std::uint32_t> points, st
 struct RefinementRule {
   double epsilon_e = 0.0;        ///< share of the reference value
   double noise_guard = 0.0;      ///< deviations that a difference must exceed to count as detail
+  int corrections = 0;           ///< see fit.h
   std::uint32_t full_level = 0;  ///< levels up to this one are computed wholly
   double solution_mean = 0.0;    ///< mean over the coarsest samples of what was accumulated before, W/m²
   double previous_mean = 0.0;    ///< likewise of the term of the series before this one; 0: this is not a series

@@ -29,6 +29,7 @@ ParameterSchema settings_schema() {
        "reconstruction groups: as the scene says, also by connected component, or that where the components are few"},
       {"neighbours", std::int64_t{10}, 1, most_neighbours, {}, "k: a basis function reaches its k-th nearest neighbour"},
       {"radius_limit", 4.0, 1.0, largest, {}, "largest reach of a basis function, disc radii of its level"},
+      {"corrections", std::int64_t{0}, 0, 8, {}, "times that a level is corrected at its own points; 0: the paper's single pass"},
       {"rays", std::int64_t{512}, 1, 65536, {}, "rays of a gather"},
       {"epsilon_E",
        0.02,
@@ -78,6 +79,7 @@ Settings settings_from(const Parameters& parameters) {
                                                : Grouping::automatic;
   settings.neighbours = whole("neighbours");
   settings.radius_limit = parameters.real("radius_limit");
+  settings.corrections = whole("corrections");
   settings.rays = whole("rays");
   settings.epsilon_e = parameters.real("epsilon_E");
   settings.epsilon_omega = parameters.real("epsilon_Omega");

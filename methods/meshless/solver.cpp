@@ -106,6 +106,7 @@ class Solver {
     RefinementRule rule;
     rule.epsilon_e = settings_.epsilon_e;
     rule.noise_guard = settings_.noise_guard;
+    rule.corrections = settings_.corrections;
     rule.solution_mean = solution_mean;
     return rule;
   }

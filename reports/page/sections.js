@@ -76,6 +76,8 @@
     }
     const measured = element("div", { class: "measured" }), tableHolder = element("div", {});
     const pictured = element("div", { class: "pictured" });
+    for (const [method, effects] of scene.missing)
+      section.append(element("p", { class: "missing" }, gibench.methodMark(method), `${method} lacks ${effects.join(", ")}: the scene calls for it, the method cannot do it.`));
     section.append(element("div", { class: "side-by-side" }, pictured, measured));
     if (scene.pictures.length) {
       const gallery = gibench.makeGallery(study, scene, (picture) => {

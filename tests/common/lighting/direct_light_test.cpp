@@ -84,7 +84,7 @@ TEST(DirectLight, TwoEnvironmentsAdd) {
   EXPECT_NEAR(lit.irradiance(lit.centre(), 64, 64), 4.0 * pi_double, 0.02);
 }
 
-TEST(DirectLight, DISABLED_PunctualLightsAreExact) {
+TEST(DirectLight, PunctualLightsAreExact) {
   Plate plate;
   plate.builder.light(PointLight{{0.3F, 0.0F, 2.0F}, Rgb(5.0F)});
   plate.builder.light(DirectionalLight{glm::normalize(Vec3(1.0F, 0.0F, -1.0F)), Rgb(0.7F)});

@@ -58,7 +58,9 @@ class Lobes : public testing::TestWithParam<Surface> {
 };
 
 double albedo_by_quadrature(const SurfaceBsdf& bsdf, const Vec3& out) {
-  return integrate_hemisphere(500, [&](const Vec3& in) { return bsdf.evaluate(out, in).value.g * in.z; });
+  // Seen at grazing a smooth lobe is some degrees wide in azimuth: 500 steps miss 0.8% of it, 2000 less than 1e-5.
+  const int steps = out.z < 0.1F ? 2000 : 500;
+  return integrate_hemisphere(steps, [&](const Vec3& in) { return bsdf.evaluate(out, in).value.g * in.z; });
 }
 
 /// The mean weight over a net of the unit cube: the albedo as sample() tells it.
@@ -78,7 +80,7 @@ TEST_P(Lobes, ReflectNoMoreThanArrives) {
   }
 }
 
-TEST_P(Lobes, DISABLED_SamplingAndEvaluationAgreeOnTheAlbedo) {
+TEST_P(Lobes, SamplingAndEvaluationAgreeOnTheAlbedo) {
   for (const double cosine : cosines) {
     const Vec3 out = direction_of(cosine, 0.4);
     const double albedo = albedo_by_quadrature(bsdf, out);
@@ -96,7 +98,7 @@ TEST_P(Lobes, AreReciprocal) {
   }
 }
 
-TEST_P(Lobes, DISABLED_SamplesFollowTheirDensity) {
+TEST_P(Lobes, SamplesFollowTheirDensity) {
   // Cells of equal cosine and azimuth steps; 50 000 independent samples; the expected counts by quadrature of the pdf.
   constexpr int rows = 10, columns = 12, count = 50000;
   const double row_step = 1.0 / rows, column_step = 2.0 * pi_double / columns;
@@ -154,7 +156,7 @@ TEST_P(Lobes, StayFiniteAtGrazing) {
 INSTANTIATE_TEST_SUITE_P(All, Lobes, testing::ValuesIn(surfaces()), [](const auto& one) { return one.param.name; });
 
 // Directional albedos of the truth cases P37, P38 and P39.
-TEST(DirectionalAlbedo, DISABLED_OfANormalisedPhongLobe) {
+TEST(DirectionalAlbedo, OfANormalisedPhongLobe) {
   const SurfaceBsdf bsdf(phong(0.0F, 0.8F, 20.0F));
   for (const auto& [cosine, albedo] : {std::pair{1.0, 0.8}, {0.7, 0.5600035355699735}, {0.2, 0.17708189678809017}}) {
     EXPECT_NEAR(albedo_by_quadrature(bsdf, direction_of(cosine, 0.7)), albedo, 2e-5);

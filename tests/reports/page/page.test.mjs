@@ -207,6 +207,7 @@ test("failures, effects and the manifest are shown", async () => {
   const failures = await page.locator("#failures tbody").textContent();
   for (const status of ["refused", "timed out", "crashed", "failed", "skipped"]) assert.ok(failures.includes(status), status);
   assert.ok((await page.locator("#effects").textContent()).includes("missing"));
+  assert.ok((await page.locator("section.scene p.missing").first().textContent()).startsWith("meshless lacks glossy_final_bounce"));
   const manifest = await page.locator("#manifest").textContent();
   for (const fact of ["0123456789abcdef0123456789abcdef01234567", "Test processor", "seed"]) assert.ok(manifest.includes(fact), fact);
   await page.close();

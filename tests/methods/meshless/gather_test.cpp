@@ -1,0 +1,131 @@
+#include "methods/meshless/gather.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/methods/meshless/basis_scene.h"
+#include "tests/support/scene_builder.h"
+
+namespace gibench::meshless {
+namespace {
+
+constexpr int rays = 512;
+
+/// The same irradiance everywhere, or on some triangles only.
+class ConstantSender : public Sender {
+ public:
+  explicit ConstantSender(Rgb value) : value_(value) {}
+  void irradiance(std::span<const SurfaceSample> hits, const Vec3&, std::uint64_t, RayStream&, std::span<Rgb> values,
+                  std::uint64_t&) const override {
+    for (std::size_t i = 0; i < hits.size(); ++i) values[i] = value_;
+  }
+
+ private:
+  Rgb value_;
+};
+
+Estimate gathered(const World& world, const SurfaceSample& receiver, const Sender& sender, std::uint64_t key = 1) {
+  Task task;
+  RayStream stream = task.rays(world);
+  GatherBuffers buffers;
+  return Gatherer(world, rays).irradiance(receiver, key, sender, stream, buffers);
+}
+
+SurfaceSample sample_on(const World& world, std::uint32_t triangle, Vec2 barycentrics = {0.3F, 0.3F}) {
+  return world.sample_at(triangle, barycentrics, world.normal(triangle));
+}
+
+TEST(Gather, IsExactInAUniformEnclosure) {
+  gibench::test::SceneBuilder builder;
+  builder.room("room", builder.diffuse("grey", Rgb(0.3F, 0.6F, 0.9F)), {0, 0, 0}, {2, 1, 3});
+  const World world(builder.build("room"), 1);
+  const ConstantSender sender(Rgb(2.0F));
+  for (std::uint32_t triangle = 0; triangle < 12; ++triangle) {
+    const Estimate estimate = gathered(world, sample_on(world, triangle), sender, triangle);
+    EXPECT_NEAR(estimate.value.r, 0.6F, 1e-5F);
+    EXPECT_NEAR(estimate.value.g, 1.2F, 1e-5F);
+    EXPECT_NEAR(estimate.value.b, 1.8F, 1e-5F);
+    EXPECT_LT(estimate.deviation, 1e-5F);
+  }
+}
+
+/// Form factor from a differential patch at the origin of the plane z = 0, facing up, to a rectangle of the plane
+/// z = h over [0,a] × [0,b] (Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-3).
+double corner_form_factor(double a, double b, double h) {
+  const double x = a / h, y = b / h;
+  return (x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
+          y / std::sqrt(1 + y * y) * std::atan(x / std::sqrt(1 + y * y))) /
+         (2.0 * pi_double);
+}
+
+TEST(Gather, GivesTheFormFactorOfARectangleAndADeviationThatCoversTheError) {
+  gibench::test::SceneBuilder builder;
+  const std::uint32_t grey = builder.diffuse("grey", Rgb(0.5F));
+  builder.quad("floor", grey, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  builder.quad("ceiling", grey, {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}});
+  const World world(builder.build("plates"), 1);
+  const ConstantSender sender(Rgb(4.0F));
+  double errors = 0.0, deviations = 0.0;
+  const int places = 64;
+  for (int i = 0; i < places; ++i) {
+    RandomStream random(5, 0, static_cast<std::uint64_t>(i));
+    const float u = random.next_float(), v = random.next_float();
+    SurfaceSample receiver = sample_on(world, 0);
+    receiver.position = {u, 0.0F, v};
+    const auto x = static_cast<double>(u), z = static_cast<double>(v);
+    const double factor = corner_form_factor(x, z, 1) + corner_form_factor(1 - x, z, 1) + corner_form_factor(x, 1 - z, 1) +
+                          corner_form_factor(1 - x, 1 - z, 1);
+    const Estimate estimate = gathered(world, receiver, sender, static_cast<std::uint64_t>(i));
+    EXPECT_NEAR(static_cast<double>(estimate.value.r), 2.0 * factor, 0.04 * factor);
+    errors += std::pow(static_cast<double>(estimate.value.r) - 2.0 * factor, 2) / places;
+    deviations += std::pow(static_cast<double>(estimate.deviation), 2) / places;
+  }
+  EXPECT_LT(std::sqrt(errors), 0.005);
+  EXPECT_LT(std::sqrt(errors), std::sqrt(deviations));
+  EXPECT_GT(std::sqrt(errors), 0.1 * std::sqrt(deviations));
+}
+
+TEST(Gather, BacksAndMissesAreBlack) {
+  gibench::test::SceneBuilder builder;
+  const std::uint32_t grey = builder.diffuse("grey", Rgb(0.5F));
+  builder.quad("floor", grey, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  builder.quad("lid", grey, {{{-9, 0.1F, -9}, {-9, 0.1F, 9}, {9, 0.1F, 9}, {9, 0.1F, -9}}});  // its front is on top
+  const World back(builder.build("back"), 1);
+  EXPECT_EQ(gathered(back, sample_on(back, 0), ConstantSender(Rgb(1.0F))).value, Rgb());
+  Scene scene = back.scene();
+  scene.objects[1].two_sided = true;
+  const World both(scene, 1);
+  EXPECT_NEAR(gathered(both, sample_on(both, 0), ConstantSender(Rgb(1.0F))).value.r, 0.5F, 0.01F);
+}
+
+TEST(Gather, TurnsWithTheScene) {
+  const Scene box = gibench::test::box_scene();
+  const World world(box, 1), turned(gibench::test::transformed(box, 1.0F, {1, 2, 3}, 40.0F), 1);
+  class ByHeight : public Sender {
+   public:
+    void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t, RayStream&, std::span<Rgb> values,
+                    std::uint64_t&) const override {
+      for (std::size_t i = 0; i < hits.size(); ++i) values[i] = Rgb(glm::distance(hits[i].position, receiver));
+    }
+  };
+  for (std::uint32_t triangle : {0U, 5U, 11U, 20U}) {
+    const Rgb a = gathered(world, sample_on(world, triangle), ByHeight()).value;
+    const Rgb b = gathered(turned, sample_on(turned, triangle), ByHeight()).value;
+    EXPECT_NEAR(a.r, b.r, 2e-3F * a.r);
+  }
+}
+
+TEST(Gather, BasisSenderSeesTheExpansionAndTheAlbedoOfTheHit) {
+  const test::BasisScene scene(gibench::test::box_scene());
+  const Coefficients made = scene.approximate_fully(1, [](const Place&) { return Rgb(1.0F); });
+  const BasisSender sender(made, scene.groups, 0.1);
+  const SurfaceSample receiver = sample_on(scene.world, 0);
+  const Rgb seen = gathered(scene.world, receiver, sender).value;
+  const Rgb expected = gathered(scene.world, receiver, ConstantSender(Rgb(1.0F))).value;
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(seen[channel], expected[channel], 1e-4F);
+}
+
+}  // namespace
+}  // namespace gibench::meshless

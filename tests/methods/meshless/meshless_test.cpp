@@ -1,0 +1,318 @@
+/// The whole method, against closed forms and converged solutions.
+#include "methods/meshless/meshless.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/surface_sampling.h"
+#include "tests/support/scene_builder.h"
+
+namespace gibench {
+namespace {
+
+using Setting = std::vector<std::pair<std::string, std::string>>;
+
+/// One solved scene.
+class Solved {
+ public:
+  explicit Solved(Scene scene, std::optional<int> bounces = std::nullopt, const Setting& settings = {}, int threads = 0)
+      : world_(std::move(scene)), task_(settings_of(threads)) {
+    const MethodEntry entry = meshless_entry();
+    method_ = entry.make(Parameters(entry.schema, settings));
+    EffectPlan plan;
+    plan.simulated = {Effect::direct, Effect::diffuse_indirect, Effect::environment, Effect::occlusion};
+    plan.max_bounces = bounces;
+    prepared = method_->prepare(world_, plan, task_);
+    if (succeeded(prepared.termination)) lit = method_->light(Lighting::of(world_.scene()), task_);
+  }
+
+  std::vector<Rgb> irradiance(const std::vector<SurfaceSample>& samples, Component component = Component::indirect) {
+    std::vector<Rgb> direct(samples.size()), indirect(samples.size());
+    const StageReport report = method_->shade({Quantity::irradiance, samples, {}}, {direct, indirect, {}, {}, {}}, task_);
+    EXPECT_TRUE(succeeded(report.termination)) << report.message;
+    if (component == Component::direct) return direct;
+    if (component == Component::total)
+      for (std::size_t i = 0; i < samples.size(); ++i) indirect[i] += direct[i];
+    return indirect;
+  }
+  Rgb at(const Vec3& point, const Vec3& normal) { return irradiance({sample(point, normal)})[0]; }
+  SurfaceSample sample(const Vec3& point, const Vec3& normal) const {
+    const Hit hit = world_.rays().closest_hit({point + 1e-3F * normal, 0.0F, -normal});
+    return world_.sample_at(hit.triangle, {hit.u, hit.v}, normal);
+  }
+  const World& world() const { return world_; }
+  const TransportMethod& method() const { return *method_; }
+
+  StageReport prepared, lit;
+
+ private:
+  static TaskSettings settings_of(int threads) {
+    TaskSettings settings;
+    settings.threads = threads;
+    return settings;
+  }
+  World world_;
+  Task task_;
+  std::unique_ptr<TransportMethod> method_;
+};
+
+/// A closed room that glows with radiance 1 everywhere: every bounce is πρ times the one before, everywhere.
+Scene furnace(const Rgb& albedo) {
+  test::SceneBuilder builder;
+  builder.room("room", builder.diffuse("glowing", albedo, Rgb(1.0F)), {0, 0, 0}, {1, 1, 1});
+  return builder.build("furnace");
+}
+
+void expect_within(const std::vector<Rgb>& values, const Rgb& expected, float share) {
+  for (const Rgb& value : values)
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(value[channel], expected[channel], share * expected[channel]);
+}
+
+TEST(Meshless, EveryBounceOfAFurnaceIsAGeometricTerm) {
+  const Rgb albedo(0.3F, 0.5F, 0.8F);
+  Rgb term(pi), sum;
+  for (int bounces = 1; bounces <= 3; ++bounces) {
+    Solved solved(furnace(albedo), bounces);
+    sum += term *= albedo;
+    expect_within(solved.irradiance(area_uniform_samples(solved.world(), 200, 3)), sum, 0.01F);
+    EXPECT_EQ(solved.lit.counters["bounces"], static_cast<std::uint64_t>(bounces));
+    EXPECT_EQ(solved.lit.termination, Termination::bound_reached);
+  }
+}
+
+TEST(Meshless, AFurnaceComesToItsLimitEvenWithBrightWalls) {
+  const Rgb albedo(0.5F, 0.9F, 0.99F);
+  Solved solved(furnace(albedo));
+  EXPECT_EQ(solved.lit.termination, Termination::converged) << solved.lit.message;
+  EXPECT_LT(solved.lit.counters["bounces"], 30U);
+  Rgb limit;
+  for (int channel = 0; channel < 3; ++channel) limit[channel] = pi * albedo[channel] / (1.0F - albedo[channel]);
+  expect_within(solved.irradiance(area_uniform_samples(solved.world(), 200, 3)), limit, 0.01F);
+}
+
+TEST(Meshless, WithoutExtrapolationTheResidualFallsToItsBound) {
+  Solved solved(furnace(Rgb(0.5F)), std::nullopt, {{"extrapolate", "false"}, {"residual", "0.0001"}});
+  EXPECT_EQ(solved.lit.termination, Termination::converged);
+  std::vector<double> residuals;
+  for (const ProgressPoint& point : solved.lit.history)
+    if (point.residual >= 0.0) residuals.push_back(point.residual);
+  ASSERT_GT(residuals.size(), 5U);
+  EXPECT_TRUE(std::is_sorted(residuals.rbegin(), residuals.rend()));
+  EXPECT_LT(residuals.back(), 1e-4);
+  expect_within(solved.irradiance(area_uniform_samples(solved.world(), 50, 3)), Rgb(pi), 0.01F);
+}
+
+TEST(Meshless, ASceneThatAbsorbsNothingIsNotConverged) {
+  Solved solved(furnace(Rgb(1.0F)), std::nullopt, {{"bounces", "8"}, {"levels", "2"}});
+  EXPECT_EQ(solved.lit.termination, Termination::not_converged);
+  EXPECT_NE(solved.lit.message.find("absorbs no light"), std::string::npos);
+}
+
+/// A unit cube whose ceiling-less top face glows: converged radiosity solutions to 1e-6 (two discretisations agree).
+Scene glowing_floor_cube(float albedo) {
+  test::SceneBuilder builder;
+  const std::uint32_t wall = builder.diffuse("wall", Rgb(albedo)), lamp = builder.diffuse("lamp", Rgb(albedo), Rgb(1.0F));
+  builder.quad("lamp", lamp, {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}});
+  builder.quad("floor", wall, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  builder.quad("x0", wall, {{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}});
+  builder.quad("x1", wall, {{{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}}});
+  builder.quad("y0", wall, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  builder.quad("y1", wall, {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}});
+  return builder.build("cube");
+}
+
+TEST(Meshless, MeanIrradianceOfACubeObeysTheEnergyIdentity) {
+  // All faces reflect ρ and one glows: absorbed = emitted gives mean E = π / (6 (1 - ρ)), direct light included.
+  for (float albedo : {0.2F, 0.5F, 0.8F}) {
+    Solved solved(glowing_floor_cube(albedo));
+    const std::vector<SurfaceSample> samples = area_uniform_samples(solved.world(), 6000, 9);
+    double mean = 0.0;
+    for (const Rgb& value : solved.irradiance(samples, Component::total)) mean += static_cast<double>(value.r) / 6000.0;
+    const double exact = pi_double / (6.0 * (1.0 - static_cast<double>(albedo)));
+    EXPECT_NEAR(mean, exact, 0.01 * exact) << albedo;
+  }
+}
+
+TEST(Meshless, OneBounceBetweenParallelPlatesHasAClosedForm) {
+  // Sunlight falls on the floor at 45° through the open side; the ceiling gets E ρ F once, F the form factor of the
+  // opposed unit square seen from the centre of the ceiling, and nothing else.
+  test::SceneBuilder builder;
+  const std::uint32_t grey = builder.diffuse("grey", Rgb(0.4F));
+  builder.quad("floor", grey, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  builder.quad("ceiling", grey, {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}});
+  const float s = 3.0F / std::sqrt(10.0F), c = 1.0F / std::sqrt(10.0F);
+  builder.light(DirectionalLight{{-s, -c, 0.0F}, Rgb(2.0F)});
+  Solved solved(builder.build("plates"), 1);
+  const double form_factor = 4.0 / std::sqrt(5.0) / pi_double * std::atan(1.0 / std::sqrt(5.0));
+  const auto expected = static_cast<float>(static_cast<double>(2.0F * c) * 0.4 * form_factor);
+  EXPECT_NEAR(solved.at({0.5F, 1, 0.5F}, {0, -1, 0}).r, expected, 0.01F * expected);
+}
+
+TEST(Meshless, BothFirstBouncesAgree) {
+  Solved exact(test::box_scene(), 2, {{"first_bounce", "exact"}}), basis(test::box_scene(), 2, {{"first_bounce", "basis"}});
+  const std::vector<SurfaceSample> samples = area_uniform_samples(exact.world(), 2000, 12);
+  const std::vector<Rgb> a = exact.irradiance(samples), b = basis.irradiance(samples);
+  double squares = 0.0, mean = 0.0, bias = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto difference = static_cast<double>(a[i].g - b[i].g);
+    squares += difference * difference, bias += difference, mean += static_cast<double>(a[i].g);
+  }
+  EXPECT_LT(std::sqrt(squares * 2000.0) / mean, 0.05);
+  EXPECT_LT(std::fabs(bias) / mean, 0.01);
+}
+
+TEST(Meshless, DirectLightInTheBasisIsNearTheEvaluator) {
+  Solved basis(test::box_scene(), 1, {{"direct", "basis"}}), shared(test::box_scene(), 1);
+  EXPECT_TRUE(basis.method().capabilities().direct);
+  EXPECT_FALSE(shared.method().capabilities().direct);
+  const std::vector<SurfaceSample> samples = area_uniform_samples(basis.world(), 1000, 2);
+  const std::vector<Rgb> a = basis.irradiance(samples, Component::direct), b = shared.irradiance(samples, Component::direct);
+  double squares = 0.0, reference = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    squares += std::pow(static_cast<double>(a[i].r - b[i].r), 2);
+    reference += std::pow(static_cast<double>(b[i].r), 2);
+  }
+  EXPECT_LT(std::sqrt(squares / reference), 0.1);
+}
+
+TEST(Meshless, ADarkRoomBehindAThinWallStaysDark) {
+  test::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.7F)), lamp = builder.diffuse("lamp", Rgb(0.0F), Rgb(10.0F));
+  builder.room("lit", white, {0, 0, 0}, {1, 1, 1}).room("dark", white, {1.001F, 0, 0}, {2, 1, 1});
+  builder.quad("lamp", lamp, {{{0.4F, 0.99F, 0.4F}, {0.6F, 0.99F, 0.4F}, {0.6F, 0.99F, 0.6F}, {0.4F, 0.99F, 0.6F}}});
+  Solved solved(builder.build("rooms"));
+  std::size_t dark = 0;
+  const std::vector<SurfaceSample> samples = area_uniform_samples(solved.world(), 600, 5);
+  const std::vector<Rgb> values = solved.irradiance(samples);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (samples[i].position.x > 1.0005F) EXPECT_EQ(values[i], Rgb()), ++dark;
+  EXPECT_GT(dark, 100U);
+}
+
+TEST(Meshless, AnswersTwoSidedFacesOnBothSidesAndBacksWithBlack) {
+  test::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, {0, 0, 0}, {1, 1, 1});
+  builder.quad("shelf", white, {{{0.3F, 0.5F, 0.3F}, {0.3F, 0.5F, 0.7F}, {0.7F, 0.5F, 0.7F}, {0.7F, 0.5F, 0.3F}}}, true);
+  builder.light(PointLight{{0.5F, 0.8F, 0.5F}, Rgb(1.0F)});
+  Solved solved(builder.build("shelf"));
+  const Rgb above = solved.at({0.5F, 0.5F, 0.5F}, {0, 1, 0}), below = solved.at({0.5F, 0.5F, 0.5F}, {0, -1, 0});
+  EXPECT_GT(below.r, 0.05F);
+  EXPECT_GT(above.r, 1.2F * below.r);
+  SurfaceSample back = solved.sample({0.5F, 0.0F, 0.5F}, {0, 1, 0});
+  back.normal = -back.normal;
+  back.lit_side = false;
+  EXPECT_EQ(solved.irradiance({back})[0], Rgb());
+}
+
+TEST(Meshless, RadianceIsTheReflectedShareOfTheIrradiance) {
+  Solved solved(test::box_scene(), 2);
+  const std::vector<SurfaceSample> samples = area_uniform_samples(solved.world(), 100, 6);
+  std::vector<Vec3> toward;
+  for (const SurfaceSample& sample : samples) toward.push_back(sample.normal);
+  const std::vector<Rgb> irradiance = solved.irradiance(samples);
+  std::vector<Rgb> radiance(samples.size());
+  Task task;
+  EXPECT_TRUE(
+      succeeded(solved.method().shade({Quantity::radiance, samples, toward}, {{}, radiance, {}, {}, {}}, task).termination));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Rgb albedo = solved.world().scene().material_of_object(samples[i].object).diffuse;
+    for (int channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(radiance[i][channel], albedo[channel] * irradiance[i][channel] / pi, 1e-6F);
+  }
+}
+
+TEST(Meshless, TheSameSeedGivesTheSameBitsOnOneAndTwoThreads) {
+  Solved one(test::box_scene(), 2, {}, 1), two(test::box_scene(), 2, {}, 2);
+  const std::vector<SurfaceSample> samples = area_uniform_samples(one.world(), 500, 1);
+  EXPECT_EQ(one.irradiance(samples), two.irradiance(samples));
+  EXPECT_EQ(one.lit.counters.values(), two.lit.counters.values());
+}
+
+TEST(Meshless, ComputesNothingThatIsNotCalledFor) {
+  Solved none(test::box_scene(), 0);
+  EXPECT_EQ(none.prepared.counters["samples"], 0U);
+  EXPECT_EQ(none.lit.counters["samples_gathered"], 0U);
+  EXPECT_EQ(none.lit.counters["closest_hit_rays"], 0U);
+  EXPECT_EQ(none.at({0.5F, 0, 0.9F}, {0, 1, 0}), Rgb());
+  test::BoxOptions dark;
+  dark.lamp_emission = Rgb();
+  Solved unlit{test::box_scene(dark)};
+  EXPECT_EQ(unlit.lit.counters["samples_gathered"], 0U);
+  EXPECT_EQ(unlit.at({0.5F, 0, 0.9F}, {0, 1, 0}), Rgb());
+}
+
+TEST(Meshless, ReportsItsWork) {
+  Solved solved(test::box_scene());
+  EXPECT_EQ(solved.prepared.counters["levels"], 6U);
+  EXPECT_NEAR(static_cast<double>(solved.prepared.counters["coarsest_samples"]), 310.0, 20.0);
+  const std::uint64_t gathered = solved.lit.counters["samples_gathered"];
+  EXPECT_GE(gathered, 310U * solved.lit.counters["bounces"]);
+  EXPECT_EQ(solved.lit.counters["basis_functions"], gathered);
+  EXPECT_GE(solved.lit.counters["closest_hit_rays"], 512U * gathered);
+  EXPECT_GT(solved.method().bytes(), 1'000'000U);
+  EXPECT_EQ(solved.lit.termination, Termination::converged);
+  double last = 0.0;
+  for (const ProgressPoint& point : solved.prepared.history) EXPECT_GE(point.done, last), last = point.done;
+  EXPECT_DOUBLE_EQ(last, 1.0);
+}
+
+TEST(Meshless, RefusesScenesWithoutArea) {
+  const MethodEntry entry = meshless_entry();
+  const auto method = entry.make(Parameters(entry.schema, {}));
+  EXPECT_TRUE(method->refusal(Scene{}).has_value());
+  test::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.object("needle", white, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2, 2}});
+  EXPECT_TRUE(method->refusal(builder.build("needle")).has_value());
+  EXPECT_FALSE(method->refusal(test::box_scene()).has_value());
+}
+
+TEST(Meshless, LivesWithDegenerateFacesFlippedNormalsAndASingleTriangle) {
+  Scene flipped = test::box_scene();
+  for (std::size_t face = 0; face < flipped.faces.size(); face += 2)
+    std::swap(flipped.faces[face].corners[0], flipped.faces[face].corners[2]);
+  tessellate(flipped);
+  test::SceneBuilder single;
+  single.object("triangle", single.diffuse("white", Rgb(0.5F), Rgb(1.0F)), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 2}});
+  test::SceneBuilder needles;
+  const std::uint32_t white = needles.diffuse("white", Rgb(0.5F), Rgb(1.0F));
+  needles.room("room", white, {0, 0, 0}, {1, 1, 1});
+  needles.object("needle", white, {{0.2F, 0.2F, 0.2F}, {0.8F, 0.8F, 0.8F}, {0.5F, 0.5F, 0.5F}, {0.2F, 0.2F, 0.2F}},
+                 {{0, 1, 2, 2}, {0, 3, 1, 1}});
+  for (const Scene& scene : {flipped, single.build("single"), needles.build("needles")}) {
+    Solved solved(scene, 2, {{"levels", "4"}});
+    for (const Rgb& value : solved.irradiance(area_uniform_samples(solved.world(), 300, 3), Component::total)) {
+      EXPECT_TRUE(is_finite(value));
+      EXPECT_GE(smallest(value), 0.0F);
+      EXPECT_LT(largest(value), 1e3F);
+    }
+  }
+}
+
+TEST(Meshless, StopsWhenCancelled) {
+  const World world(test::box_scene());
+  const MethodEntry entry = meshless_entry();
+  const auto method = entry.make(Parameters(entry.schema, {}));
+  TaskSettings settings;
+  settings.cancel = std::make_shared<std::atomic<bool>>(false);
+  settings.on_progress = [cancel = settings.cancel](const ProgressPoint& point) {
+    if (point.step == "bounce 1") *cancel = true;
+  };
+  Task task(settings);
+  EffectPlan plan;
+  plan.simulated = {Effect::diffuse_indirect};
+  EXPECT_TRUE(succeeded(method->prepare(world, plan, task).termination));
+  const StageReport report = method->light(Lighting::of(world.scene()), task);
+  EXPECT_EQ(report.termination, Termination::cancelled);
+  EXPECT_LE(report.counters["bounces"], 1U);
+}
+
+}  // namespace
+}  // namespace gibench

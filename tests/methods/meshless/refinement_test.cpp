@@ -1,0 +1,148 @@
+#include "methods/meshless/refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "methods/meshless/expansion.h"
+#include "tests/methods/meshless/basis_scene.h"
+#include "tests/support/scene_builder.h"
+
+namespace gibench::meshless {
+namespace {
+
+test::BasisScene floor_scene(int levels) {
+  gibench::test::SceneBuilder builder;
+  builder.quad("floor", builder.diffuse("white", Rgb(0.5F)), {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  Settings settings = test::default_settings();
+  settings.levels = levels;
+  return test::BasisScene(builder.build("floor"), settings);
+}
+
+template <class Function>
+Coefficients refined(const test::BasisScene& scene, const RefinementRule& rule, Function&& function, int threads = 1) {
+  TaskSettings task_settings;
+  task_settings.threads = threads;
+  Task task(task_settings);
+  const PointValues values = [&](std::span<const std::uint32_t> points, std::span<Estimate> out) {
+    for (std::size_t i = 0; i < points.size(); ++i) out[i] = function(points[i]);
+  };
+  return approximate(scene.hierarchy, values, rule, task);
+}
+
+std::size_t computed_on_level(const Coefficients& made, std::uint32_t level) {
+  std::size_t count = 0;
+  for (std::uint32_t point : made.sorted_points()) count += made.hierarchy().level_of(point) == level ? 1U : 0U;
+  return count;
+}
+
+RefinementRule rule_with(double epsilon_e) {
+  RefinementRule rule;
+  rule.epsilon_e = epsilon_e;
+  return rule;
+}
+
+TEST(Refinement, AConstantStaysOnTheCoarsestLevel) {
+  const test::BasisScene scene = floor_scene(4);
+  const Coefficients made = refined(scene, rule_with(0.01), [](std::uint32_t) { return Estimate{Rgb(2.0F), 0.0F}; });
+  EXPECT_EQ(made.size(), scene.hierarchy.level_size(0));
+  EXPECT_NEAR(coarsest_mean(made).g, 2.0, 1e-6);
+}
+
+TEST(Refinement, AStepIsRefinedAlongItsEdgeOnly) {
+  const test::BasisScene scene = floor_scene(5);
+  const auto step = [&](std::uint32_t p) { return Estimate{Rgb(scene.hierarchy.position(p).x < 0.5F ? 0.0F : 1.0F), 0.0F}; };
+  const Coefficients made = refined(scene, rule_with(0.02), step);
+  EXPECT_GT(computed_on_level(made, 4), 50U);
+  EXPECT_LT(computed_on_level(made, 4), scene.hierarchy.level_size(4) / 2U);
+  for (std::uint32_t point : made.sorted_points())
+    if (scene.hierarchy.level_of(point) == 4) EXPECT_LT(std::fabs(scene.hierarchy.position(point).x - 0.5F), 0.1F);
+  const Expansion expansion(made);
+  for (const Place& at : scene.places(500))
+    if (std::fabs(at.position.x - 0.5F) > 0.1F) EXPECT_NEAR(expansion.evaluate(at).r, at.position.x < 0.5F ? 0.0F : 1.0F, 0.03F);
+}
+
+TEST(Refinement, EveryParentOfAComputedFunctionIsComputed) {
+  const test::BasisScene scene = floor_scene(4);
+  const auto bump = [&](std::uint32_t p) {
+    const Vec3& at = scene.hierarchy.position(p);
+    return Estimate{Rgb(std::exp(-200.0F * ((at.x - 0.3F) * (at.x - 0.3F) + (at.z - 0.6F) * (at.z - 0.6F)))), 0.0F};
+  };
+  const Coefficients made = refined(scene, rule_with(0.05), bump);
+  EXPECT_GT(computed_on_level(made, 3), 0U);
+  for (std::uint32_t point : made.sorted_points())
+    for (std::uint32_t level = 0; level < scene.hierarchy.level_of(point); ++level)
+      scene.hierarchy.visit_covering(level, scene.hierarchy.place(point),
+                                     [&](std::uint32_t parent, float) { EXPECT_TRUE(made.has(parent)); });
+}
+
+TEST(Refinement, CoefficientsAreThoseOfEquation10) {
+  const test::BasisScene scene = floor_scene(3);
+  const auto wave = [&](const Place& at) { return Rgb(std::sin(9.0F * at.position.x)); };
+  const Coefficients full = scene.approximate_fully(2, wave);
+  const Coefficients made = refined(scene, rule_with(0.0), [&](std::uint32_t p) {
+    return Estimate{wave(scene.hierarchy.place(p)), 0.0F};
+  });
+  EXPECT_GT(made.size(), scene.hierarchy.size() * 9U / 10U);
+  for (std::uint32_t point : made.sorted_points()) EXPECT_NEAR(made[point].r, full[point].r, 1e-5F);
+}
+
+TEST(Refinement, ASmallerThresholdNeverGivesALargerError) {
+  const test::BasisScene scene = floor_scene(5);
+  const auto wave = [&](const Place& at) { return Rgb(2.0F + std::sin(9.0F * at.position.x * at.position.z)); };
+  double before = 1.0;
+  for (double epsilon_e : {0.1, 0.03, 0.01, 0.003}) {
+    const Expansion expansion(refined(scene, rule_with(epsilon_e), [&](std::uint32_t p) {
+      return Estimate{wave(scene.hierarchy.place(p)), 0.0F};
+    }));
+    double squares = 0.0;
+    const std::vector<Place> places = scene.places(1000);
+    for (const Place& at : places) squares += std::pow(static_cast<double>(expansion.evaluate(at).r - wave(at).r), 2);
+    const double error = std::sqrt(squares / 1000.0) / 2.0;
+    EXPECT_LT(error, before);
+    EXPECT_LT(error, epsilon_e);
+    before = error;
+  }
+}
+
+TEST(Refinement, TheNoiseGuardLeavesNoiseAlone) {
+  const test::BasisScene scene = floor_scene(5);
+  const auto noise = [](std::uint32_t p) {
+    RandomStream random(1, 0, p);
+    return Estimate{Rgb(1.0F + 0.2F * (random.next_float() - 0.5F)), 0.06F};
+  };
+  RefinementRule rule = rule_with(0.01);
+  const std::size_t chased = refined(scene, rule, noise).size();
+  rule.noise_guard = 2.0;
+  const std::size_t guarded = refined(scene, rule, noise).size();
+  EXPECT_EQ(chased, scene.hierarchy.size());
+  EXPECT_EQ(guarded, scene.hierarchy.level_size(0));
+}
+
+TEST(Refinement, TheReferenceForeseesTheTermsLeft) {
+  // Detail of 3% of the term is no detail where 9 more terms of the same size are to come.
+  const test::BasisScene scene = floor_scene(3);
+  const auto ripple = [&](std::uint32_t p) {
+    return Estimate{Rgb(1.0F + (scene.hierarchy.position(p).x < 0.5F ? 0.0F : 0.03F)), 0.0F};
+  };
+  RefinementRule rule = rule_with(0.02);
+  EXPECT_GT(refined(scene, rule, ripple).size(), scene.hierarchy.level_size(0));
+  rule.previous_mean = 1.1;
+  rule.terms_left = 9;
+  EXPECT_EQ(refined(scene, rule, ripple).size(), scene.hierarchy.level_size(0));
+  rule.previous_mean = 0.0;
+  rule.solution_mean = 9.0;
+  EXPECT_EQ(refined(scene, rule, ripple).size(), scene.hierarchy.level_size(0));
+}
+
+TEST(Refinement, IsTheSameForAnyNumberOfThreads) {
+  const test::BasisScene scene = floor_scene(5);
+  const auto step = [&](std::uint32_t p) { return Estimate{Rgb(scene.hierarchy.position(p).x < 0.4F ? 0.1F : 1.0F), 0.0F}; };
+  const Coefficients one = refined(scene, rule_with(0.02), step, 1), two = refined(scene, rule_with(0.02), step, 2);
+  ASSERT_EQ(one.sorted_points(), two.sorted_points());
+  for (std::uint32_t point : one.sorted_points()) EXPECT_EQ(one[point], two[point]);
+}
+
+}  // namespace
+}  // namespace gibench::meshless
