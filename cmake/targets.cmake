@@ -11,13 +11,21 @@ target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
 target_compile_definitions(gibench_options INTERFACE $<$<BOOL:${GIBENCH_STD_THREADS}>:GIBENCH_STD_THREADS>)
 target_link_libraries(gibench_options INTERFACE Threads::Threads)
 
-# gibench_library(NAME LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder.
+# gibench_cool(TARGET): code without hot loops (verbs, loaders, tests) compiles in two thirds of the time this way.
+function(gibench_cool TARGET)
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# gibench_library(NAME [COOL] LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder.
 function(gibench_library NAME)
-  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "COOL" "" "LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(gibench_${NAME} STATIC ${sources})
     target_link_libraries(gibench_${NAME} PUBLIC gibench_options ${ARG_LIBRARIES})
+    if(ARG_COOL)
+      gibench_cool(gibench_${NAME})
+    endif()
   else()  # headers only
     add_library(gibench_${NAME} INTERFACE)
     target_link_libraries(gibench_${NAME} INTERFACE gibench_options ${ARG_LIBRARIES})
@@ -33,6 +41,7 @@ function(gibench_test NAME)
   target_link_libraries(test_${NAME} PRIVATE gibench_options ${ARG_LIBRARIES} GTest::gmock GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${NAME} PRIVATE GIBENCH_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}"
                              GIBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GIBENCH_PROGRAM="${CMAKE_BINARY_DIR}/bin/gibench")
+  gibench_cool(test_${NAME})
   include(GoogleTest)
   gtest_discover_tests(test_${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
 endfunction()

@@ -30,7 +30,7 @@ struct Settings {
   // Basis (section 4.2).
   int neighbours = 10;        ///< k of the nearest-neighbour radius
   double radius_limit = 4.0;  ///< largest radius of a basis function, in disc radii of its level
-  int corrections = 0;        ///< repetitions of a level on its own points
+  int corrections = 1;        ///< repetitions of a level on its own points
   // Transport (section 6.3).
   int rays = 512;            ///< of a gather
   double epsilon_e = 0.0;    ///< receiver threshold, share of the mean irradiance

@@ -22,9 +22,6 @@ const std::vector<MethodRule>& rules() {
     meshless.method = "meshless";
     meshless.tolerance = 0.02;
     meshless.clearance = 0.02;
-    // At default settings P32 misses 2% by tenths (albedo 0.99), P34 by up to 11% (roof opening); P24 is not yet judged: its run
-    // took too long.
-    meshless.short_of = {"P24", "P32", "P34"};
     return std::vector<MethodRule>{pathtracer, meshless};
   }();
   return all;
