@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t shade_chunk = 64;  // samples
 // Light samples, and as many hemisphere samples, that the shared evaluator spends: on one surface sample at least and
 // at most, and between them so that a call with few samples is answered to a few tenths of a per cent.
-constexpr std::size_t least_direct_samples = 32, most_direct_samples = 4096, direct_samples_a_call = std::size_t{1} << 19;
+constexpr std::size_t least_direct_samples = 32, most_direct_samples = 65536, direct_samples_a_call = std::size_t{1} << 19;
 constexpr std::uint64_t direct_stage = 0x646972656374ULL;
 
 /// Runs one stage between two clock readings and two readings of the run's counters.

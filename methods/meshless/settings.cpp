@@ -31,8 +31,9 @@ ParameterSchema settings_schema() {
       {"radius_limit", 4.0, 1.0, largest, {}, "largest reach of a basis function, disc radii of its level"},
       {"corrections", std::int64_t{1}, 0, 8, {}, "times that a level is corrected at its own points; 0: the paper's single pass"},
       {"rays", std::int64_t{512}, 1, 65536, {}, "rays of a gather"},
+      {"coarsest_rays", std::int64_t{2048}, 1, 65536, {}, "rays of a gather on the coarsest level, where more than `rays`"},
       {"epsilon_E",
-       0.06,
+       0.04,
        0.0,
        largest,
        {},
@@ -48,19 +49,29 @@ ParameterSchema settings_schema() {
       {"residual", 1e-3, 1e-9, 1.0, {}, "the series ends when the bounces left out hold less, share of the solution"},
       {"extrapolate", true, 0, 0, {}, "add the bounces left out as a geometric series once they follow one"},
       {"first_bounce",
-       std::string("exact"),
+       std::string("automatic"),
        0,
        0,
-       {"exact", "basis"},
-       "direct light at the hits of the first gathers: evaluated there, or from the basis"},
+       {"automatic", "exact", "basis"},
+       "direct light at the hits of the first gathers: evaluated there, or from the basis; automatic goes by its noise"},
       {"direct",
        std::string("shared"),
        0,
        0,
        {"shared", "basis"},
        "direct light is answered by the shared evaluator, or from the basis"},
-      {"direct_samples", std::int64_t{1}, 1, 1024, {}, "light samples at a hit of a first gather"},
-      {"basis_direct_samples", std::int64_t{16}, 1, 65536, {}, "light samples at a basis point, for direct light in the basis"},
+      {"direct_samples",
+       std::int64_t{1},
+       1,
+       1024,
+       {},
+       "light samples at a hit of a first gather; more where direct light is noisy"},
+      {"basis_direct_samples",
+       std::int64_t{16},
+       1,
+       65536,
+       {},
+       "light samples at a basis point, for direct light in the basis; more where it is noisy"},
   };
 }
 
@@ -81,13 +92,17 @@ Settings settings_from(const Parameters& parameters) {
   settings.radius_limit = parameters.real("radius_limit");
   settings.corrections = whole("corrections");
   settings.rays = whole("rays");
+  settings.coarsest_rays = whole("coarsest_rays");
   settings.epsilon_e = parameters.real("epsilon_E");
   settings.epsilon_omega = parameters.real("epsilon_Omega");
   settings.noise_guard = parameters.real("noise_guard");
   settings.bounces = whole("bounces");
   settings.residual = parameters.real("residual");
   settings.extrapolate = parameters.flag("extrapolate");
-  settings.first_bounce = parameters.text("first_bounce") == "exact" ? FirstBounce::exact : FirstBounce::basis;
+  const std::string& first_bounce = parameters.text("first_bounce");
+  settings.first_bounce = first_bounce == "exact"   ? FirstBounce::exact
+                          : first_bounce == "basis" ? FirstBounce::basis
+                                                    : FirstBounce::automatic;
   settings.direct = parameters.text("direct") == "shared" ? DirectAnswer::shared : DirectAnswer::basis;
   settings.direct_samples = whole("direct_samples");
   settings.basis_direct_samples = whole("basis_direct_samples");

@@ -11,8 +11,9 @@ enum class Grouping {
   components,  ///< its connected components, too
   automatic,   ///< the components where they are few
 };
-/// What the gathers of the first bounce see at their hits.
-enum class FirstBounce { exact, basis };
+/// What the gathers of the first bounce see at their hits: direct light evaluated there, or from the basis. `automatic`
+/// takes the former where its noise is small enough.
+enum class FirstBounce { automatic, exact, basis };
 /// Who answers for direct light.
 enum class DirectAnswer { shared, basis };
 
@@ -33,16 +34,17 @@ struct Settings {
   int corrections = 1;        ///< repetitions of a level on its own points
   // Transport (section 6.3).
   int rays = 512;            ///< of a gather
+  int coarsest_rays = 2048;  ///< of a gather on level 0, whose noise is what remains where light is smooth
   double epsilon_e = 0.0;    ///< receiver threshold, share of the mean irradiance
   double epsilon_omega = 0;  ///< sender threshold, sr
   double noise_guard = 0.0;  ///< deviations of the estimates that a difference must exceed to be refined
   int bounces = 0;           ///< most bounces computed one by one
   double residual = 0.0;     ///< share of the solution that the bounces left out may hold
   bool extrapolate = true;   ///< add the geometric tail once the bounces have settled into it
-  FirstBounce first_bounce = FirstBounce::exact;
+  FirstBounce first_bounce = FirstBounce::automatic;
   DirectAnswer direct = DirectAnswer::shared;
-  int direct_samples = 1;         ///< light samples at a hit
-  int basis_direct_samples = 16;  ///< light samples at a basis point
+  int direct_samples = 1;         ///< light samples at a hit, at least
+  int basis_direct_samples = 16;  ///< light samples at a basis point, at least
 };
 
 ParameterSchema settings_schema();

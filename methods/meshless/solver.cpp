@@ -20,6 +20,10 @@ constexpr std::uint32_t direct_full_level = 2;  // small lights and shadows must
 constexpr std::size_t gather_chunk = 4;         // points
 constexpr std::size_t direct_chunk = 64;        // points
 constexpr double least_ratio_left = 1e-6;       // 1 - ratio of two bounces, below which a tail is not summed
+constexpr double gather_noise = 0.03;           // that direct light evaluated at the hits may bring into a gather, of the mean
+constexpr double most_hit_samples = 4.0;        // at a hit, to keep to that; noisier direct light goes through the basis …
+constexpr double point_noise = 0.2;             // … with this much noise at a basis point: a gather sees hundreds of them
+constexpr double most_point_samples = 2048.0;
 
 RgbDouble magnitude_mean(const Coefficients& coefficients) {
   const std::uint32_t count = coefficients.hierarchy().level_size(0);
@@ -61,7 +65,17 @@ Convergence judge(const Coefficients& last, const Coefficients& before, const Co
 class Solver {
  public:
   Solver(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings, Task& task)
-      : world_(world), transport_(transport), light_(light), settings_(settings), task_(task), gatherer_(world, settings.rays) {}
+      : world_(world),
+        transport_(transport),
+        light_(light),
+        settings_(settings),
+        task_(task),
+        gatherer_(world, settings.rays),
+        coarsest_gatherer_(world, std::max(settings.rays, settings.coarsest_rays)) {
+    look_at_direct_light();
+  }
+
+  bool first_bounce_from_basis() const { return first_bounce_from_basis_; }
 
   Coefficients direct() {
     const PointValues values = [this](std::span<const std::uint32_t> points, std::span<Estimate> out) {
@@ -72,16 +86,8 @@ class Solver {
     return approximate(transport_.hierarchy, values, rule, task_);
   }
 
-  /// Mean direct irradiance over the coarsest samples, W/m².
-  double direct_mean() {
-    std::vector<std::uint32_t> points(transport_.hierarchy.level_size(0));
-    std::iota(points.begin(), points.end(), 0U);
-    std::vector<Estimate> values(points.size());
-    sample_direct(points, values);
-    double sum = 0.0;
-    for (const Estimate& estimate : values) sum += channel_mean(RgbDouble(estimate.value));
-    return points.empty() ? 0.0 : sum / static_cast<double>(points.size());
-  }
+  /// Mean direct irradiance over the coarsest samples and the channels, W/m².
+  double direct_mean() const { return direct_mean_; }
 
   /// Bounce `number`, of at most `bound`; the means are those of the bounces before it and of the one just before.
   Coefficients bounce(const Sender& sender, int number, int bound, double solution_mean, double previous_mean) {
@@ -99,9 +105,30 @@ class Solver {
   BasisSender sender_of(const Coefficients& coefficients) const {
     return BasisSender(coefficients, transport_.groups, settings_.epsilon_omega);
   }
-  DirectSender direct_sender() const { return DirectSender(light_, settings_.direct_samples); }
+  DirectSender direct_sender() const { return DirectSender(light_, hit_samples_); }
 
  private:
+  /// Estimates at the coarsest samples tell how noisy one light sample is, and so how many are needed, and where.
+  void look_at_direct_light() {
+    std::vector<std::uint32_t> points(transport_.hierarchy.level_size(0));
+    std::iota(points.begin(), points.end(), 0U);
+    std::vector<Estimate> values(points.size());
+    sample_direct(points, values);
+    double largest_mean = 0.0, variance = 0.0;
+    for (const Estimate& estimate : values) {
+      direct_mean_ += channel_mean(RgbDouble(estimate.value)) / static_cast<double>(points.size());
+      largest_mean += static_cast<double>(largest(estimate.value)) / static_cast<double>(points.size());
+      variance += std::pow(static_cast<double>(estimate.deviation), 2) / static_cast<double>(points.size());
+    }
+    const double relative_variance = largest_mean > 0.0 ? variance * point_samples_ / (largest_mean * largest_mean) : 0.0;
+    const double at_hits = relative_variance / (settings_.rays * gather_noise * gather_noise);
+    first_bounce_from_basis_ = settings_.first_bounce == FirstBounce::basis ||
+                               (settings_.first_bounce == FirstBounce::automatic && at_hits > most_hit_samples);
+    hit_samples_ = std::max(hit_samples_, static_cast<int>(std::ceil(std::min(at_hits, most_hit_samples))));
+    const double at_points = std::min(relative_variance / (point_noise * point_noise), most_point_samples);
+    point_samples_ = std::max(point_samples_, static_cast<int>(std::ceil(at_points)));
+  }
+
   RefinementRule rule_of(double solution_mean) const {
     RefinementRule rule;
     rule.epsilon_e = settings_.epsilon_e;
@@ -125,7 +152,8 @@ class Solver {
       GatherBuffers buffers;
       for (std::size_t i = range.begin; i < range.end; ++i) {
         const std::uint64_t key = mix_keys(mix_keys(task_.seed(), gather_stage), static_cast<std::uint64_t>(number), points[i]);
-        out[i] = gatherer_.irradiance(sample(points[i]), key, sender, rays, buffers);
+        const Gatherer& gatherer = points[i] < transport_.hierarchy.level_begin(1) ? coarsest_gatherer_ : gatherer_;
+        out[i] = gatherer.irradiance(sample(points[i]), key, sender, rays, buffers);
       }
       levels[range.chunk] = buffers.levels_used;
       evaluations[range.chunk] = buffers.evaluations;
@@ -145,7 +173,7 @@ class Solver {
 
   /// Two independent halves give the value and its deviation.
   Estimate direct_estimate(std::uint32_t point, RayStream& rays) const {
-    const int half = std::max(1, settings_.basis_direct_samples / 2);
+    const int half = std::max(1, point_samples_ / 2);
     const std::uint64_t key = mix_keys(task_.seed(), direct_stage, point);
     const Rgb first = light_.irradiance(sample(point), mix_keys(key, 0), half, rays);
     const Rgb second = light_.irradiance(sample(point), mix_keys(key, 1), half, rays);
@@ -158,7 +186,11 @@ class Solver {
   const DirectLight& light_;
   const Settings& settings_;
   Task& task_;
-  Gatherer gatherer_;
+  Gatherer gatherer_, coarsest_gatherer_;
+  double direct_mean_ = 0.0;
+  bool first_bounce_from_basis_ = false;
+  int hit_samples_ = settings_.direct_samples;          ///< light samples at a hit
+  int point_samples_ = settings_.basis_direct_samples;  ///< at a basis point
 };
 
 void add_scaled(Coefficients& sum, const Coefficients& term, const Rgb& factor) {
@@ -243,14 +275,14 @@ Solution solve(const World& world, const Transport& transport, const DirectLight
   Solution solution;
   Solver solver(world, transport, light, settings, task);
   std::optional<Coefficients> direct;
-  if (settings.direct == DirectAnswer::basis || (indirect && settings.first_bounce == FirstBounce::basis)) {
+  if (settings.direct == DirectAnswer::basis || (indirect && solver.first_bounce_from_basis())) {
     direct.emplace(solver.direct());
     task.progress("direct light", 0.1);
   }
   if (settings.direct == DirectAnswer::basis) solution.direct.emplace(*direct);
   if (indirect && !task.cancelled())
     Series(solver, settings, max_bounces, task)
-        .run(settings.first_bounce == FirstBounce::basis ? &*direct : nullptr, transport.hierarchy, solution);
+        .run(solver.first_bounce_from_basis() ? &*direct : nullptr, transport.hierarchy, solution);
   return solution;
 }
 
