@@ -52,7 +52,15 @@ class AmbientMethod : public TransportMethod {
       albedo_ += world().scene().material_of_object(point.object).diffuse / static_cast<float>(points_.size());
     if (is(Defect::reflects_off_black))
       for (int channel = 0; channel < 3; ++channel) albedo_[channel] = std::max(albedo_[channel], 0.01F);
+    if (is(Defect::looks_for_what_hides)) {
+      RayStream rays = task.rays(world());
+      for (const SurfaceSample& point : points_) rays.occluded({world().ray_origin(point), 0.0F, point.normal});
+    }
     task.progress("points", 1.0);
+  }
+
+  std::string do_light_paths(const EffectPlan& plan, const BounceRange& range) const override {
+    return is(Defect::misnames_its_paths) ? "C.*[LOB]" : light_paths_of(plan, true, range);
   }
 
   void do_light(const Lighting& lighting, Task& task, StageReport&) override {
@@ -145,7 +153,7 @@ constexpr auto makers(std::index_sequence<defects...>) {
 }  // namespace
 
 MethodEntry ambient_method(Defect defect) {
-  constexpr auto all = makers(std::make_index_sequence<static_cast<std::size_t>(Defect::keeps_what_was_cancelled) + 1>());
+  constexpr auto all = makers(std::make_index_sequence<static_cast<std::size_t>(Defect::misnames_its_paths) + 1>());
   return {"ambient", "one mean value for the whole scene", "the geometric series", "C(<RD>|L)",
           schema(),  all[static_cast<std::size_t>(defect)]};
 }
