@@ -69,9 +69,11 @@ EffectEvidence occlusion(const World& world, const Lighting& lighting, const Sce
 std::optional<int> smaller(std::optional<int> a, std::optional<int> b) { return a && b ? std::min(*a, *b) : a ? a : b; }
 
 /// What lies at infinity gives a sealed scene nothing.
-void leave_out_the_outside(SceneFacts& facts) {
-  facts.lights.environment = facts.lights.directional = 0;
-  facts.events = facts.events & ~PathEvents(PathEvent::background);
+Lighting without_the_outside(Lighting lighting) {
+  std::erase_if(lighting.lights, [](const Light& light) {
+    return std::holds_alternative<EnvironmentLight>(light) || std::holds_alternative<DirectionalLight>(light);
+  });
+  return lighting;
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ SceneEffects analyse_effects(const World& world, const Lighting& lighting, const
   SceneFacts facts(world, lighting);
   result.sealed = facts.lights.environment + facts.lights.directional > 0 && is_sealed(world);
   const EffectEvidence sky = environment(facts, result.sealed);
-  if (result.sealed) leave_out_the_outside(facts);
+  if (result.sealed) facts = SceneFacts(world, without_the_outside(lighting));
   const bool asked = limits.tolerance > 0.0;
   result.bound = bounce_bound(reflectances_of(world), asked ? limits.tolerance : usual_tolerance);
   result.max_bounces = smaller(limits.bounces, asked ? result.bound.most : std::nullopt);

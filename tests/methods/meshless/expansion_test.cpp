@@ -96,7 +96,7 @@ TEST(Expansion, TheFineCoefficientsOfASmoothFunctionFade) {
 TEST(Expansion, IsTheSumThatTheCoefficientsGive) {
   const test::BasisScene scene(gibench::test::box_scene(), settings_with(3));
   Coefficients some(scene.hierarchy);  // every third function only, so that parts of the levels are left out
-  for (std::uint32_t p = 0; p < scene.hierarchy.size(); p += p < scene.hierarchy.level_begin(1) ? 1 : 3)
+  for (std::uint32_t p = 0; p < scene.hierarchy.size(); p += p < scene.hierarchy.level_begin(1) ? 1U : 3U)
     some.set(p, smooth(scene.hierarchy.place(p)));
   const Expansion expansion(some);
   std::uint64_t levels = 0;
@@ -143,13 +143,14 @@ TEST(Expansion, TheSenderLevelFollowsTheSolidAngleOfTheBalls) {
 }
 
 TEST(Expansion, WhereNothingCoversALevelContributesNothing) {
-  const test::BasisScene scene(gibench::test::box_scene(), settings_with(2));
+  gibench::test::BoxOptions empty;
+  empty.blocks = false;  // so that only the front wall, a metre away, faces as the back of the back wall does
+  const test::BasisScene scene(gibench::test::box_scene(empty), settings_with(2));
   const Expansion expansion(scene.approximate_fully(1, smooth));
   std::uint64_t levels = 0;
   const Place on_floor = scene.places(1)[0];
   Place outside = on_floor, backwards = on_floor;
   outside.position += 100.0F;
-  backwards.normal = -on_floor.normal;
   backwards.position = {0.5F, 0.5F, 0.0F};
   backwards.normal = {0.0F, 0.0F, -1.0F};  // the back of the back wall
   for (const Place& at : {outside, backwards}) {

@@ -69,6 +69,8 @@ TEST(Gather, GivesTheFormFactorOfARectangleAndADeviationThatCoversTheError) {
   const ConstantSender sender(Rgb(4.0F));
   double errors = 0.0, deviations = 0.0;
   const int places = 64;
+  // The edge of the ceiling crosses about 2.5 · √512 = 57 cells of the pattern, each right by chance to within 1/√6 of a
+  // ray: a deviation of 0.012 of 4 · 0.5; four of them for each place.
   for (int i = 0; i < places; ++i) {
     RandomStream random(5, 0, static_cast<std::uint64_t>(i));
     const float u = random.next_float(), v = random.next_float();
@@ -78,11 +80,11 @@ TEST(Gather, GivesTheFormFactorOfARectangleAndADeviationThatCoversTheError) {
     const double factor = corner_form_factor(x, z, 1) + corner_form_factor(1 - x, z, 1) + corner_form_factor(x, 1 - z, 1) +
                           corner_form_factor(1 - x, 1 - z, 1);
     const Estimate estimate = gathered(world, receiver, sender, static_cast<std::uint64_t>(i));
-    EXPECT_NEAR(static_cast<double>(estimate.value.r), 2.0 * factor, 0.04 * factor);
+    EXPECT_NEAR(static_cast<double>(estimate.value.r), 2.0 * factor, 0.05);
     errors += std::pow(static_cast<double>(estimate.value.r) - 2.0 * factor, 2) / places;
     deviations += std::pow(static_cast<double>(estimate.deviation), 2) / places;
   }
-  EXPECT_LT(std::sqrt(errors), 0.005);
+  EXPECT_LT(std::sqrt(errors), 0.015);
   EXPECT_LT(std::sqrt(errors), std::sqrt(deviations));
   EXPECT_GT(std::sqrt(errors), 0.1 * std::sqrt(deviations));
 }

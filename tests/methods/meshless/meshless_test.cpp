@@ -190,8 +190,11 @@ TEST(Meshless, ADarkRoomBehindAThinWallStaysDark) {
   std::size_t dark = 0;
   const std::vector<SurfaceSample> samples = area_uniform_samples(solved.world(), 600, 5);
   const std::vector<Rgb> values = solved.irradiance(samples);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].position.x > 1.0005F) EXPECT_EQ(values[i], Rgb()), ++dark;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].position.x <= 1.0005F) continue;
+    EXPECT_EQ(values[i], Rgb());
+    ++dark;
+  }
   EXPECT_GT(dark, 100U);
 }
 
@@ -259,7 +262,10 @@ TEST(Meshless, ReportsItsWork) {
   EXPECT_GT(solved.method().bytes(), 1'000'000U);
   EXPECT_EQ(solved.lit.termination, Termination::converged);
   double last = 0.0;
-  for (const ProgressPoint& point : solved.prepared.history) EXPECT_GE(point.done, last), last = point.done;
+  for (const ProgressPoint& point : solved.prepared.history) {
+    EXPECT_GE(point.done, last);
+    last = point.done;
+  }
   EXPECT_DOUBLE_EQ(last, 1.0);
 }
 

