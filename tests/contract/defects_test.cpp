@@ -56,6 +56,8 @@ constexpr Case cases[] = {
     {"DrawsUnkeyedNumbers", Defect::draws_unkeyed_numbers, "RelightingEqualsAFreshRun", "a fresh run against a relit one"},
     {"WorksOnWhenCancelled", Defect::works_on_when_cancelled, "CancellingStopsSoon", "more rays"},
     {"LooksForWhatHides", Defect::looks_for_what_hides, "AConvexRoomNeedsNoVisibilityRays", "occlusion rays"},
+    {"WorksWithoutLight", Defect::works_for_nothing, "NoLightNeedsNoWork", "rays were traced"},
+    {"WorksBetweenBlackWalls", Defect::works_for_nothing, "BlackWallsNeedNoIndirectWork", "rays were traced"},
     {"MisnamesItsPaths", Defect::misnames_its_paths, "LightPathsAreTold", "more than 0 bounces"},
     {"KeepsWhatWasCancelled", Defect::keeps_what_was_cancelled, "CancellingStopsSoon", "follows a cancelled one"},
 };
@@ -117,10 +119,14 @@ const WrongEntry wrong_entries[] = {
 INSTANTIATE_TEST_SUITE_P(EveryMistake, TheContractCatchesAnEntry, testing::ValuesIn(wrong_entries),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// Promises that the interface keeps whatever a method does: its tests are those of common/method.
+constexpr const char* kept_by_the_interface[] = {"NoLightGivesBlack", "WhatIsNotAllowedIsNotComputed"};
+
 /// A check without a defect to its name is a check nobody has seen fail.
 TEST(Defects, ThereIsOneForEveryCheck) {
   for (const Check& check : all_checks()) {
     bool shown = false;
+    for (const char* kept : kept_by_the_interface) shown |= std::string(kept) == check.name;
     for (const Case& one : cases) shown |= std::string(one.check) == check.name;
     for (const WrongEntry& one : wrong_entries) shown |= std::string(one.check) == check.name;
     EXPECT_TRUE(shown) << check.name;
