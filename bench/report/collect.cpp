@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "bench/report/format.h"
 #include "bench/report/json_reading.h"
 #include "common/core/error.h"
 
@@ -57,7 +58,12 @@ StudyScene scene_of(const Json& entry, Study& study) {
   scene.skipped = skip_reason(entry);
   scene.exposure = exposure_of(entry);
   scene.effects = scene_effects_of(entry);
-  scene.bounce_bound = text_at(object_at(entry, "bounce_bound"), "evidence").value_or("");
+  const Json& bound = object_at(entry, "bounce_bound");
+  scene.bounce_bound = text_at(bound, "evidence").value_or("");
+  const auto most = number_at(bound, "most"), tolerance = number_at(bound, "tolerance");
+  if (tolerance)
+    scene.bounces =
+        (most ? significant(*most, 4) : std::string("not bounded")) + " (for " + significant(*tolerance) + " of the light)";
   scene.facts = facts_of(entry, {"name", "skipped", "exposure", "message", "effects"});
   scene.reference_folder = inside(study.folder, text_at(entry, "reference").value_or("references/" + scene.name));
   const fs::path file = scene.reference_folder / "reference.json";

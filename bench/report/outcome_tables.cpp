@@ -60,7 +60,8 @@ std::map<std::string, std::string> outcomes_of(const Effects& effects) {
   std::map<std::string, std::string> outcomes;
   for (const std::string& effect : effects.simulated) outcomes[effect] = "simulated";
   for (const std::string& effect : effects.missing) outcomes[effect] = "missing";
-  for (const auto& skipped : effects.skipped) outcomes[skipped.first] = "skipped";
+  for (const auto& skipped : effects.skipped)
+    outcomes[skipped.first] = contains(effects.called_for, skipped.first) ? "not allowed" : "skipped";
   return outcomes;
 }
 

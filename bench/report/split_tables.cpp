@@ -51,7 +51,7 @@ Table call_table(const Study& study) {
     if (scene.effects.empty()) continue;
     std::vector<Cell> row(table.columns.size(), text_cell(""));
     row.front() = text_cell(scene.name);
-    row.back() = text_cell(scene.bounce_bound);
+    row.back() = text_cell(scene.bounces);
     for (const SceneEffect& effect : scene.effects)
       for (std::size_t c = 1; c < table.columns.size(); ++c)
         if (table.columns[c].name == effect.effect) row[c] = text_cell(effect.called_for ? "called for" : "not called for");
@@ -68,10 +68,14 @@ Table evidence_table(const Study& study) {
                           {"Verdict", "verdict", false},
                           {"Evidence", "evidence", false}},
               .rows = {}};
-  for (const StudyScene& scene : study.scenes)
+  for (const StudyScene& scene : study.scenes) {
     for (const SceneEffect& effect : scene.effects)
       table.rows.push_back({text_cell(scene.name), text_cell(effect.effect),
                             text_cell(effect.called_for ? "called for" : "not called for"), text_cell(effect.evidence)});
+    if (!scene.bounces.empty())
+      table.rows.push_back(
+          {text_cell(scene.name), text_cell("bounces"), text_cell(scene.bounces), text_cell(scene.bounce_bound)});
+  }
   return table;
 }
 

@@ -91,7 +91,7 @@ struct StudyScene {
   std::optional<std::string> skipped;  ///< why the study left the scene out
   float exposure = 0.0F;               ///< stops at which its pictures are shown
   std::vector<SceneEffect> effects;    ///< what it calls for, and why
-  std::string bounce_bound;            ///< the evidence
+  std::string bounces, bounce_bound;   ///< how many reflections its light needs, and the evidence
   Facts facts;                         ///< camera, resolution, geometry, …
   std::filesystem::path reference_folder;
   Facts reference;  ///< reference.json; empty where there is none

@@ -24,7 +24,7 @@
     document.getElementById("effects").append(element("h2", { id: "effects-title" }, "Effects"),
       ...(study.calls.rows.length ? [table(study.calls)] : []),
       element("details", { class: "block" }, element("summary", {}, "Why each scene calls for an effect or not"), table(study.evidence)),
-      element("p", { class: "lead" }, "● simulated: the scene calls for it and the method computes it. ✕ missing: the scene calls for it, the method cannot do it, and its picture lacks it. ○ skipped: the scene does not call for it, or it was not allowed, so no time was spent on it. The last column is what the light paths that are not simulated cost."),
+      element("p", { class: "lead" }, "● simulated: the scene calls for it and the method computes it. ✕ missing: the scene calls for it, the method cannot do it, and its picture lacks it. – not allowed: called for, and left out by the user. ○ skipped: the scene does not call for it, so no time was spent on it. The last column is what the light paths that are not simulated cost."),
       table(study.effect_matrix, { methodColumn: 1 }),
       element("details", { class: "block" }, element("summary", {}, "Why each effect was skipped or is missing"), table(study.effects, { methodColumn: 1 })));
   }

@@ -95,8 +95,10 @@ TEST_F(StudyFixture, ScenesSayWhatTheyCallForAndWhatIsMissingHasASize) {
   ASSERT_EQ(calls.rows.size(), 2U);
   EXPECT_EQ(text_in(calls, 0, "direct"), "called for");
   EXPECT_EQ(text_in(calls, 0, "environment"), "not called for");
-  EXPECT_EQ(text_in(calls, 0, "bounces"), "largest albedo 0.73");
-  EXPECT_EQ(evidence_table(study).rows.size(), 4U);
+  EXPECT_EQ(text_in(calls, 0, "bounces"), "21 (for 0.001 of the light)");
+  const Table evidence = evidence_table(study);
+  ASSERT_EQ(evidence.rows.size(), 6U);
+  EXPECT_EQ(text_in(evidence, 2, "evidence"), "largest albedo 0.73");
   const Table matrix = effect_matrix(study);
   ASSERT_EQ(matrix.rows.size(), 6U) << "two scenes, three methods";
   EXPECT_EQ(text_in(matrix, 0, "glossy_final_bounce"), "simulated");
