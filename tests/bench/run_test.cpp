@@ -215,7 +215,7 @@ TEST(Run, WithoutLightThereIsNothingToSimulateAndThePictureIsBlack) {
   const auto result =
       shop.gibench(with({"run", "dark.scene.json", "--method", "pathtracer", "--reference", "none", "--json"}, small)).json();
   EXPECT_TRUE(result["effects"]["simulated"].empty());
-  EXPECT_EQ(result["effects"]["skipped"].size(), 6U);
+  EXPECT_EQ(result["effects"]["skipped"].size(), 8U);
   EXPECT_FALSE(result["counters"].contains("occlusion_rays")) << result["counters"];
   EXPECT_FALSE(result["counters"].contains("closest_hit_rays")) << result["counters"];
 }
