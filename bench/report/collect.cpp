@@ -62,8 +62,7 @@ StudyScene scene_of(const Json& entry, Study& study) {
   scene.bounce_bound = text_at(bound, "evidence").value_or("");
   const auto most = number_at(bound, "most"), tolerance = number_at(bound, "tolerance");
   if (tolerance)
-    scene.bounces =
-        (most ? significant(*most, 4) : std::string("not bounded")) + " (for " + significant(*tolerance) + " of the light)";
+    scene.bounces = (most ? exact(*most) : std::string("not bounded")) + " (for " + exact(*tolerance) + " of the light)";
   scene.facts = facts_of(entry, {"name", "skipped", "exposure", "message", "effects"});
   scene.reference_folder = inside(study.folder, text_at(entry, "reference").value_or("references/" + scene.name));
   const fs::path file = scene.reference_folder / "reference.json";

@@ -165,7 +165,7 @@ TEST_F(StudyFixture, TablesOfTheWholeStudy) {
   EXPECT_EQ(failures.rows[0][0].text, "sibenik");
   EXPECT_EQ(failures.rows[2][3].text, "timed out");
   const Table matrix = effect_matrix(study);
-  EXPECT_EQ(matrix.columns.size(), 6U);
+  EXPECT_EQ(matrix.columns.size(), 7U);
   EXPECT_EQ(matrix.rows.size(), 6U);
   for (const auto& row : matrix.rows) EXPECT_EQ(row.size(), matrix.columns.size());
   EXPECT_EQ(run_table(study).rows.size(), study.runs.size());
