@@ -50,8 +50,17 @@ std::string path_class(std::optional<int> bounces) {
 }
 
 ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& options) {
-  return {path_class(options.bounces), options.reference_seed, options.surface_samples, chosen_camera(scene, options),
-          options.pixel_samples};
+  ReferenceQuestion question{path_class(options.bounces), options.reference_seed, options.surface_samples,
+                             chosen_camera(scene, options), options.pixel_samples};
+  if (!options.light_paths.empty()) question.path_class = options.light_paths;
+  // An expression and a bound together are written as both.
+  if (!options.light_paths.empty() && options.bounces) question.path_class += " & " + path_class(options.bounces);
+  return question;
+}
+
+ReferenceQuestion restricted_to(ReferenceQuestion question, const std::string& light_paths) {
+  question.path_class = light_paths;
+  return question;
 }
 
 MeasuringPoints measuring_points(const World& world, const ReferenceQuestion& question, int threads) {
@@ -74,13 +83,13 @@ Answers shade_surface(const TransportMethod& method, const MeasuringPoints& poin
   return shade(method, Quantity::irradiance, points.surface, {}, task);
 }
 
-Answers shade_image(const TransportMethod& method, const MeasuringPoints& points, Task& task) {
+Answers shade_image(const TransportMethod& method, const MeasuringPoints& points, bool background, Task& task) {
   const CameraPoints& camera = *points.camera;
   Answers answers = shade(method, Quantity::radiance, camera.samples, camera.toward_viewer, task);
   answers.direct = camera.pixel_means(answers.direct);
   answers.indirect = camera.pixel_means(answers.indirect);
   if (!answers.total_variance.empty()) answers.total_variance = camera.pixel_variances(answers.total_variance);
-  for (std::size_t i = 0; i < camera.pixel_count(); ++i) answers.direct[i] += camera.background[i];
+  for (std::size_t i = 0; background && i < camera.pixel_count(); ++i) answers.direct[i] += camera.background[i];
   return answers;
 }
 

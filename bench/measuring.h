@@ -18,6 +18,7 @@ struct MeasuringOptions {
   int pixel_samples = 4;             ///< camera rays per pixel, a square number
   std::string camera;                ///< name; empty: the scene's first
   std::optional<int> bounces;        ///< reflections between a light and the surface asked about; empty: all
+  std::string light_paths;           ///< of a reference: only these paths; empty: all
   std::uint64_t reference_seed = 1;  ///< of the surface samples, the camera rays and the reference
   int image_width = 0;               ///< pixels, the camera's shape kept; 0: the camera's own resolution
 };
@@ -31,6 +32,8 @@ ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& option
 
 /// OSL light-path expression of all paths with at most so many reflections before the surface that the camera sees.
 std::string path_class(std::optional<int> bounces);
+/// The question about these paths instead of all that `bounces` allows: an expression that keeps the bound itself.
+ReferenceQuestion restricted_to(ReferenceQuestion question, const std::string& light_paths);
 
 struct MeasuringPoints {
   std::vector<SurfaceSample> surface;  ///< irradiance is asked here, W/m²
@@ -48,7 +51,8 @@ struct Answers {
 };
 /// A method that was lit, asked at the points; the report says whether the answers may be used.
 Answers shade_surface(const TransportMethod& method, const MeasuringPoints& points, Task& task);
-Answers shade_image(const TransportMethod& method, const MeasuringPoints& points, Task& task);
+/// `background`: light that comes straight from behind the scene belongs to the answer.
+Answers shade_image(const TransportMethod& method, const MeasuringPoints& points, bool background, Task& task);
 
 /// Throws WorkError, method and stage named, for a stage whose answer may not be used.
 void require_success(const StageReport& report, const std::string& method, const std::string& stage);

@@ -37,6 +37,7 @@ std::string command_line_of(const MeasuringOptions& options) {
   if (options.pixel_samples != defaults.pixel_samples) line += fmt::format(" --pixel-samples {}", options.pixel_samples);
   if (!options.camera.empty()) line += " --camera " + options.camera;
   if (options.image_width != 0) line += fmt::format(" --width {}", options.image_width);
+  if (!options.light_paths.empty()) line += fmt::format(" --light-paths '{}'", options.light_paths);
   if (options.bounces) line += fmt::format(" --bounces {}", *options.bounces);
   if (options.reference_seed != defaults.reference_seed) line += fmt::format(" --seed {}", options.reference_seed);
   return line;

@@ -24,6 +24,7 @@ struct QueryOptions {
   std::vector<std::string> settings;
   std::filesystem::path points, out;
   std::optional<int> bounces;
+  PlanOptions plan;
 };
 
 constexpr float reach = 1e-4F;  // of the scene's diagonal: how far a point may lie from its surface
@@ -90,6 +91,7 @@ void answer_group(const LitMethod& lit, const std::string& name, const std::vect
 
 ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);
+  limits_of(options.plan, options.bounces);
   std::vector<Query> queries = parse_queries(read_file(options.points), options.points.string());
   const LoadedScene scene = load_world(options.scene, common.threads);
   const std::vector<SurfaceSample> samples = surface_points(*scene.world, queries);
@@ -101,7 +103,7 @@ ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
   std::vector<QueryAnswer> answers(queries.size());
   for (const auto& [bounces, by_quantity] : groups) {
     Task task = make_task(common, fmt::format("{}, {}", scene.scene().name, choice.entry->name));
-    const LitMethod lit = prepare_and_light(*scene.world, choice, bounces, task, log);
+    const LitMethod lit = prepare_and_light(*scene.world, choice, options.plan, bounces, task, log);
     for (const auto& [quantity, group] : by_quantity)
       answer_group(lit, choice.entry->name, queries, samples, group, task, answers);
   }
@@ -123,6 +125,8 @@ void add_query(CLI::App& app, Call& call) {
   verb->add_option("--points", options->points, "JSON file of queries")->required();
   verb->add_option("--out", options->out, "JSON file for the answers; without it they go to stdout");
   add_bounces_option(*verb, options->bounces);
+  add_plan_options(*verb, options->plan);
+  add_light_paths_option(*verb, options->plan.light_paths);
   verb->callback([&call, options] { call.action = [&call, options] { return query(*options, call.common); }; });
 }
 

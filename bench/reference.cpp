@@ -7,6 +7,7 @@
 #include "bench/file_lock.h"
 #include "bench/measuring_options.h"
 #include "bench/output_folder.h"
+#include "bench/plan_options.h"
 #include "bench/print_json.h"
 #include "bench/reference_facts.h"
 #include "bench/reference_files.h"
@@ -57,7 +58,7 @@ Reference make_whole(const ReferenceOptions& options, const LoadedScene& scene, 
   const FileLock lock = lock_of(store, scene.scene(), question);
   Reference reference = store.find(scene.scene(), question).value_or(Reference{question, 0, 0.0, {}, {}});
   if (reference.samples_per_replica > 0) check_replicas(reference, options.replicas, store.folder_of(scene.scene(), question));
-  extend_reference(scene, options.measuring.bounces, {options.replicas, 0, 1}, goal_of(options), common, reference,
+  extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
                    [&](const Reference& state) { store.save(scene.scene(), state); });
   return reference;
 }
@@ -101,8 +102,8 @@ std::optional<Reference> make_shard(const ReferenceOptions& options, const Loade
     auto part = store.find(scene.scene(), question);
     if (!part && whole) part = shard_of(*whole, shard.index, shard.of);
     Reference reference = part.value_or(Reference{question, 0, 0.0, {}, {}});
-    extend_reference(scene, options.measuring.bounces, {options.replicas, shard.index, shard.of}, goal_of(options), common,
-                     reference, [&](const Reference& state) { store.save(scene.scene(), state); });
+    extend_reference(scene, options.measuring, {options.replicas, shard.index, shard.of}, goal_of(options), common, reference,
+                     [&](const Reference& state) { store.save(scene.scene(), state); });
   }
   return merge_if_complete(options, scene.scene(), question, samples, shard.of);
 }
@@ -125,6 +126,7 @@ void tell(const ReferenceOptions& options, const LoadedScene& scene, const Refer
 ExitStatus reference(const ReferenceOptions& options, const CommonOptions& common) {
   strata_per_side(options.measuring.pixel_samples, "--pixel-samples");
   const Shard shard = parse_shard(options.shard);
+  limits_of({{}, 0.0, options.measuring.light_paths}, options.measuring.bounces);
   const LoadedScene scene = load_world(options.scene, common.threads);
   MeasuringOptions measuring = options.measuring;
   measuring.reference_seed = common.seed;
@@ -161,6 +163,7 @@ void add_reference(CLI::App& app, Call& call) {
       ->check(CLI::Range(std::uint64_t{1}, most_samples));
   verb->add_option("--replicas", options->replicas, "Independent replicates")->check(CLI::Range(2, 1024))->capture_default_str();
   add_measuring_options(*verb, options->measuring);
+  add_light_paths_option(*verb, options->measuring.light_paths);
   verb->add_option("--references", options->store, "Folder of the reference store")->capture_default_str();
   verb->add_option("--shard", options->shard, "i/n: make only the replicates r with r mod n = i; the last one merges")
       ->capture_default_str();

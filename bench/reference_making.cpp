@@ -22,11 +22,12 @@ constexpr std::uint64_t replica_stage = 0x7265706c696361ULL;
 /// Makes one replicate's estimates from `first` on; everything about it is keyed by its own seed.
 class ReplicaMaker {
  public:
-  ReplicaMaker(const LoadedScene& scene, const ReferenceQuestion& question, std::optional<int> bounces,
+  ReplicaMaker(const LoadedScene& scene, const ReferenceQuestion& question, const MeasuringOptions& measuring,
                const CommonOptions& common)
       : scene_(scene),
         question_(question),
-        bounces_(bounces),
+        bounces_(measuring.bounces),
+        plan_{{}, 0.0, measuring.light_paths},
         common_(common),
         points_(measuring_points(*scene.world, question, common.threads)) {}
 
@@ -37,10 +38,14 @@ class ReplicaMaker {
 
   Estimates make(int replica, std::uint64_t first, std::uint64_t count) const {
     Estimates estimates;
-    estimates.surface = answers(replica, first, count, shade_surface);
+    estimates.surface = answers(replica, first, count,
+                                [this](const LitMethod& lit, Task& task) { return shade_surface(*lit.method, points_, task); });
     // A pixel's paths are shared out among its camera rays.
     const auto per_pixel = static_cast<std::uint64_t>(question_.pixel_samples);
-    if (points_.camera) estimates.image = answers(replica, first / per_pixel, count / per_pixel, shade_image);
+    if (points_.camera)
+      estimates.image = answers(replica, first / per_pixel, count / per_pixel, [this](const LitMethod& lit, Task& task) {
+        return shade_image(*lit.method, points_, lit.shows_background(), task);
+      });
     return estimates;
   }
 
@@ -55,8 +60,8 @@ class ReplicaMaker {
     own.quiet = true;
     RunLog log({}, true);
     Task task = make_task(own, {});
-    const LitMethod lit = prepare_and_light(*scene_.world, choice, bounces_, task, log);
-    Answers result = shade(*lit.method, points_, task);
+    const LitMethod lit = prepare_and_light(*scene_.world, choice, plan_, bounces_, task, log);
+    Answers result = shade(lit, task);
     require_success(result.report, ReferenceMethod::name, "shade");
     return result;
   }
@@ -64,6 +69,7 @@ class ReplicaMaker {
   const LoadedScene& scene_;
   ReferenceQuestion question_;
   std::optional<int> bounces_;
+  PlanOptions plan_;
   CommonOptions common_;
   MeasuringPoints points_;
 };
@@ -101,11 +107,11 @@ std::uint64_t whole_samples(std::uint64_t samples, const ReferenceQuestion& ques
   return (samples + unit - 1) / unit * unit;
 }
 
-void extend_reference(const LoadedScene& scene, std::optional<int> bounces, const ReplicaSet& set, const ReferenceGoal& goal,
-                      const CommonOptions& common, Reference& reference,
+void extend_reference(const LoadedScene& scene, const MeasuringOptions& measuring, const ReplicaSet& set,
+                      const ReferenceGoal& goal, const CommonOptions& common, Reference& reference,
                       const std::function<void(const Reference&)>& after_round) {
   const ReferenceQuestion& question = reference.question;
-  const ReplicaMaker maker(scene, question, bounces, common);
+  const ReplicaMaker maker(scene, question, measuring, common);
   const auto own = static_cast<std::size_t>(set.own());
   ProgressBar bar("reference of " + scene.scene().name, common.quiet);
   const ReferenceGoal whole_goal{whole_samples(goal.samples, question), goal.target_error};

@@ -36,11 +36,11 @@ struct ReferenceGoal {
 };
 
 /// Continues `reference` (empty replicas: begins it) with rounds that at most double its samples until the goal is met.
-/// `bounces` is the bound that its path class stands for.
+/// `measuring` holds the bound and the light paths that its path class stands for.
 /// `after_round` gets the state after every round: a whole reference, ready to be saved. Throws WorkError where the
 /// method refuses the scene or a stage fails.
-void extend_reference(const LoadedScene& scene, std::optional<int> bounces, const ReplicaSet& set, const ReferenceGoal& goal,
-                      const CommonOptions& common, Reference& reference,
+void extend_reference(const LoadedScene& scene, const MeasuringOptions& measuring, const ReplicaSet& set,
+                      const ReferenceGoal& goal, const CommonOptions& common, Reference& reference,
                       const std::function<void(const Reference&)>& after_round);
 
 /// Every value's paths per replicate come in whole camera rays: the next multiple of pixel_samples.

@@ -6,12 +6,14 @@
 #include "bench/cancellation.h"
 #include "bench/progress_bar.h"
 #include "common/core/error.h"
-#include "common/effects/scene_effects.h"
+#include "common/light_paths/automaton.h"
 #include "methods/registry.h"
 
 namespace gibench {
 
 namespace {
+
+constexpr int most_compared = 256;  // bounces; an expression writes no larger bound
 
 void log_stage(const StageRecord& stage, RunLog& log) {
   std::string counts;
@@ -22,16 +24,13 @@ void log_stage(const StageRecord& stage, RunLog& log) {
     if (point.residual >= 0.0) log.info(fmt::format("{}: {}: residual {:.3e}", stage.stage, point.step, point.residual));
 }
 
-std::string names_of(const EffectSet& effects) {
-  std::vector<std::string> names;
-  for (const Effect effect : effects) names.emplace_back(to_string(effect));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan, const std::string& method) {
   std::vector<std::string> warnings = scene.warnings;
   if (!plan.missing.empty())
     warnings.push_back(fmt::format("{} cannot simulate what the scene calls for: {}", method, names_of(plan.missing)));
+  if (plan.unlit) warnings.push_back("nothing to simulate: " + plan.skipped.front().why);
+  else if (!plan.simulates(Effect::direct) && plan.skips_indirect())
+    warnings.emplace_back("nothing to simulate: the plan leaves neither direct nor indirect light");
   return warnings;
 }
 
@@ -66,14 +65,36 @@ Task make_task(const CommonOptions& common, const std::string& title) {
   return Task(std::move(settings));
 }
 
-LitMethod prepare_and_light(const World& world, const MethodChoice& choice, std::optional<int> bounces, Task& task, RunLog& log) {
+PlannedMethod plan_method(const SceneEffects& effects, const MethodChoice& choice, const std::string& light_paths) {
+  PlannedMethod planned{choice.entry->make(choice.parameters), {}, {}, false};
+  const Capabilities can = planned.method->capabilities();
+  if (!light_paths.empty() && !can.any_light_paths)
+    throw InputError("--light-paths", fmt::format("{} cannot choose its light paths", choice.entry->name),
+                     "leave it out, or choose what it simulates by --effects");
+  planned.plan = plan_effects(effects, effects_of(can));
+  planned.plan.light_paths = light_paths;
+  planned.light_paths = planned.method->light_paths(planned.plan);
+  const PathAutomaton asked(
+      path_class(effects.limits.bounces.value_or(0) > most_compared ? std::nullopt : effects.limits.bounces));
+  planned.complete =
+      equivalent(PathAutomaton(planned.light_paths).restricted_to(effects.events), asked.restricted_to(effects.events));
+  return planned;
+}
+
+bool LitMethod::shows_background() const {
+  return PathAutomaton(light_paths).accepts(PathAutomaton::start, PathEvent::background);
+}
+
+LitMethod prepare_and_light(const World& world, const MethodChoice& choice, const PlanOptions& options,
+                            std::optional<int> bounces, Task& task, RunLog& log) {
   const std::string& name = choice.entry->name;
   LitMethod lit;
-  lit.method = choice.entry->make(choice.parameters);
-  if (const auto why = lit.method->refusal(world.scene()))
+  if (const auto why = choice.entry->make(choice.parameters)->refusal(world.scene()))
     throw WorkError(fmt::format("{}{} cannot work on scene '{}': {}", refusal_prefix, name, world.scene().name, *why));
-  lit.plan = plan_effects(analyse_effects(world, bounces), lit.method->capabilities().effects);
-  log.info(fmt::format("{} simulates {}", name, lit.plan.simulated.empty() ? "nothing" : names_of(lit.plan.simulated)));
+  static_cast<PlannedMethod&>(lit) =
+      plan_method(analyse_effects(world, limits_of(options, bounces)), choice, options.light_paths);
+  log.info(fmt::format("{} simulates {}; light paths {}", name,
+                       lit.plan.simulated.empty() ? "nothing" : names_of(lit.plan.simulated), lit.light_paths));
   for (const SkippedEffect& effect : lit.plan.skipped)
     log.info(fmt::format("skipped {}: {}", to_string(effect.effect), effect.why));
   lit.stages.push_back({"prepare", lit.method->prepare(world, lit.plan, task)});
@@ -86,7 +107,7 @@ LitMethod prepare_and_light(const World& world, const MethodChoice& choice, std:
 }
 
 RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
-                      const CommonOptions& common, RunLog& log) {
+                      const PlanOptions& options, const CommonOptions& common, RunLog& log) {
   const World& world = *scene.world;
   const std::string& name = choice.entry->name;
   const int threads = common.threads > 0 ? common.threads : hardware_threads();
@@ -94,7 +115,7 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   log.info(fmt::format("scene '{}': {} triangles, read in {:.4f} s; {}, seed {}, {} threads", scene.scene().name,
                        scene.scene().triangles.size(), scene.seconds, name, common.seed, threads));
   Task task = make_task(common, fmt::format("{}, {}", scene.scene().name, name));
-  LitMethod lit = prepare_and_light(world, choice, measuring.bounces, task, log);
+  LitMethod lit = prepare_and_light(world, choice, options, measuring.bounces, task, log);
   const MeasuringPoints points = measuring_points(world, question, common.threads);
   RunOutcome outcome{{}, shade_surface(*lit.method, points, task), std::nullopt};
   const auto keep = [&](const char* stage, const StageReport& report) {
@@ -104,12 +125,13 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   };
   keep("shade_surface", outcome.surface.report);
   if (points.camera) {
-    outcome.image = shade_image(*lit.method, points, task);
+    outcome.image = shade_image(*lit.method, points, lit.shows_background(), task);
     keep("shade_image", outcome.image->report);
   }
   RunRecord& record = outcome.record;
   record.scene = scene.scene().name, record.method = name, record.parameters = choice.parameters.values();
   record.seed = common.seed, record.threads = threads, record.question = question, record.plan = lit.plan;
+  record.light_paths = lit.light_paths, record.complete = lit.complete;
   record.completed = completed_components(lit.method->capabilities());
   record.load_seconds = scene.seconds;
   record.stages = std::move(lit.stages);

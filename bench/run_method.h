@@ -8,9 +8,11 @@
 
 #include "bench/loaded_scene.h"
 #include "bench/measuring.h"
+#include "bench/plan_options.h"
 #include "bench/run_log.h"
 #include "bench/run_record.h"
 #include "bench/verbs.h"
+#include "common/effects/scene_effects.h"
 #include "common/method/method.h"
 
 namespace gibench {
@@ -27,13 +29,25 @@ MethodChoice choose_method(const std::string& name, const std::vector<std::strin
 /// The prefix of the message of a WorkError by which a refusal is told from a failure.
 inline constexpr const char* refusal_prefix = "refused: ";
 
-/// A method that is ready to be asked. Throws WorkError for a refusal and for a stage that failed.
-struct LitMethod {
+/// What a method is to simulate on a scene and the paths that this means.
+struct PlannedMethod {
   std::unique_ptr<TransportMethod> method;
   EffectPlan plan;
-  std::vector<StageRecord> stages;  ///< prepare and light
+  std::string light_paths;
+  bool complete = false;  ///< all paths that the scene has, of the bounces asked for
 };
-LitMethod prepare_and_light(const World& world, const MethodChoice& choice, std::optional<int> bounces, Task& task, RunLog& log);
+/// Throws InputError for light paths given to a method that cannot choose its paths.
+PlannedMethod plan_method(const SceneEffects& effects, const MethodChoice& choice, const std::string& light_paths = {});
+
+/// A method that is ready to be asked. Throws WorkError for a refusal and for a stage that failed.
+struct LitMethod : PlannedMethod {
+  std::vector<StageRecord> stages;  ///< prepare and light
+
+  /// Whether what a camera sees behind the scene belongs to the answer.
+  bool shows_background() const;
+};
+LitMethod prepare_and_light(const World& world, const MethodChoice& choice, const PlanOptions& options,
+                            std::optional<int> bounces, Task& task, RunLog& log);
 
 /// A task of the common options, with cancellation, and a progress line that names what works.
 Task make_task(const CommonOptions& common, const std::string& title);
@@ -44,6 +58,6 @@ struct RunOutcome {
   std::optional<Answers> image;
 };
 RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
-                      const CommonOptions& common, RunLog& log);
+                      const PlanOptions& options, const CommonOptions& common, RunLog& log);
 
 }  // namespace gibench

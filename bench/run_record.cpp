@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json names_of(const EffectSet& effects) {
+Json name_list(const EffectSet& effects) {
   Json names = Json::array();
   for (const Effect effect : effects) names.push_back(to_string(effect));
   return names;
@@ -62,6 +62,35 @@ Json measured_at(const ReferenceQuestion& question) {
   return json;
 }
 
+Json errors_of(const std::map<std::string, DomainErrors>& errors) {
+  Json json = Json::object();
+  for (const auto& [component, domains] : errors)
+    for (const auto& [domain, table] : domains) json[component][domain] = to_json(table);
+  return json;
+}
+
+Json split_of(const RunRecord& record) {
+  if (record.complete)
+    return {{"complete", true}, {"why", "every light path of the scene is simulated: there is no model error"}};
+  Json json{{"complete", false}};
+  if (!record.split) return json;
+  json["model"] = errors_of(record.split->model);
+  json["discretisation"] = errors_of(record.split->discretisation);
+  json["reference"] = to_json(record.split->reference);
+  return json;
+}
+
+Json bounces_of(const std::vector<BounceErrors>& bounces) {
+  Json list = Json::array();
+  for (const BounceErrors& one : bounces) {
+    Json entry{{"bounce", one.bounce}, {"complete", !one.model.has_value()}};
+    if (one.model) entry["model"] = errors_of(*one.model);
+    entry["discretisation"] = errors_of(one.discretisation);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 Json memory_of(const RunRecord& record) {
   Json memory = Json::object();
   if (record.method_bytes > 0) memory["method_bytes"] = record.method_bytes;
@@ -89,9 +118,9 @@ Json to_json(const ErrorTable& table) {
 Json to_json(const EffectPlan& plan) {
   Json skipped = Json::array();
   for (const SkippedEffect& effect : plan.skipped) skipped.push_back({{"effect", to_string(effect.effect)}, {"why", effect.why}});
-  Json json{{"called_for", names_of(plan.called_for)},
-            {"simulated", names_of(plan.simulated)},
-            {"missing", names_of(plan.missing)},
+  Json json{{"called_for", name_list(plan.called_for)},
+            {"simulated", name_list(plan.simulated)},
+            {"missing", name_list(plan.missing)},
             {"skipped", std::move(skipped)}};
   if (plan.max_bounces) json["max_bounces"] = *plan.max_bounces;
   return json;
@@ -114,6 +143,7 @@ Json to_json(const RunRecord& record) {
   json["machine"] = machine_json();
   json["measured_at"] = measured_at(record.question);
   json["effects"] = to_json(record.plan);
+  json["light_paths"] = record.light_paths;
   if (!record.completed.empty())
     json["completed_by"] = {{"components", record.completed}, {"by", "shared direct-light evaluator"}};
   json["seconds"] = seconds_of(record);
@@ -123,8 +153,11 @@ Json to_json(const RunRecord& record) {
   json["termination"] = termination_of(record.stages);
   json["stages"] = stages_of(record.stages);
   if (record.exposure) json["exposure"] = to_json(*record.exposure);
-  for (const auto& [component, domains] : record.errors)
-    for (const auto& [domain, table] : domains) json["errors"][component][domain] = to_json(table);
+  if (!record.errors.empty()) {
+    json["errors"] = errors_of(record.errors);
+    json["error_split"] = split_of(record);
+  }
+  if (!record.per_bounce.empty()) json["errors_per_bounce"] = bounces_of(record.per_bounce);
   if (record.reference) json["reference"] = to_json(*record.reference);
   return json;
 }

@@ -1,6 +1,7 @@
 #include "bench/study_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -51,7 +52,17 @@ std::vector<std::vector<Setting>> combinations(const json& sweep) {
   return all;
 }
 
-void add_variants(const json& entry, const JsonPlace& place, std::vector<StudyVariant>& variants) {
+PlanOptions plan_options_of(const json& entry, const JsonPlace& place, double tolerance) {
+  PlanOptions plan;
+  plan.tolerance = entry.value("tolerance", tolerance);
+  if (!entry.contains("effects")) return plan;
+  const auto names = entry["effects"].get<std::vector<std::string>>();
+  effects_of_names(names, place["effects"].text());
+  plan.effects = names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
+  return plan;
+}
+
+void add_variants(const json& entry, const JsonPlace& place, double tolerance, std::vector<StudyVariant>& variants) {
   const MethodEntry& method = method_at(entry["method"], place["method"]);
   const json parameters = entry.value("parameters", json::object()), sweep = entry.value("sweep", json::object());
   std::vector<Setting> fixed;
@@ -65,7 +76,7 @@ void add_variants(const json& entry, const JsonPlace& place, std::vector<StudyVa
     for (const json& value : values) Parameters(method.schema, {{name, setting_text(value)}}, place["sweep"].text());
   }
   for (const std::vector<Setting>& swept : combinations(sweep)) {
-    StudyVariant variant{method.name, entry.value("label", method.name), {}, {}};
+    StudyVariant variant{method.name, entry.value("label", method.name), {}, {}, plan_options_of(entry, place, tolerance)};
     std::vector<Setting> settings = fixed;
     settings.insert(settings.end(), swept.begin(), swept.end());
     for (const auto& [name, text] : swept) variant.label.append(" ").append(name).append("=").append(text);
@@ -123,7 +134,8 @@ Study read_study(const fs::path& file) {
       throw InputError(top["scenes"][i].text(), "a scene of this name stands there already", "remove one or rename its file");
   }
   const json& methods = (*value)["methods"];
-  for (std::size_t i = 0; i < methods.size(); ++i) add_variants(methods[i], top["methods"][i], study.variants);
+  for (std::size_t i = 0; i < methods.size(); ++i)
+    add_variants(methods[i], top["methods"][i], value->value("tolerance", 0.0), study.variants);
   if (value->contains("reference")) read_reference((*value)["reference"], study);
   read_measuring(*value, top, study.measuring);
   if (value->contains("time_limit_seconds")) study.time_limit_seconds = (*value)["time_limit_seconds"].get<double>();

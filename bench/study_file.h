@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/measuring.h"
+#include "bench/plan_options.h"
 #include "common/method/parameters.h"
 
 namespace gibench {
@@ -27,6 +28,7 @@ struct StudyVariant {
   std::string method, label;                                      ///< the label is unique in the study
   std::vector<std::string> settings;                              ///< "name=value", those that differ from nothing: as given
   std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
+  PlanOptions plan;                                               ///< what it may simulate
 };
 
 struct StudyReference {

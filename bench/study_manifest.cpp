@@ -49,6 +49,9 @@ Json StudyRunner::scene_entry(std::size_t scene) const {
   entry["effects_called_for"] = Json::array();
   for (const Json& effect : state.check.at("effects"))
     if (effect.at("called_for").get<bool>()) entry["effects_called_for"].push_back(effect.at("effect"));
+  entry["effects"] = state.check.at("effects");
+  entry["bounce_bound"] = state.check.at("bounce_bound");
+  entry["analysis_seconds"] = state.check.at("analysis_seconds");
   if (state.reference.is_object()) entry["reference"] = "references/" + name;
   else if (!state.reference_message.empty()) entry["message"] = state.reference_message;
   return entry;

@@ -1,5 +1,7 @@
 #include "bench/study_plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -40,6 +42,7 @@ std::string run_key(const Study& study, const PlannedRun& run, const CommonOptio
   const StudyVariant& variant = study.variants[run.variant];
   key.add(variant.method);
   for (const auto& [name, value] : variant.parameters) key.add(name).add(to_text(value));
+  for (const std::string& argument : plan_arguments(variant.plan)) key.add(argument);
   key.add(common.seed).add(common.threads);
   for (const std::string& argument : measuring_arguments(study.measuring)) key.add(argument);
   key.add(study.measuring.reference_seed);
@@ -56,7 +59,15 @@ std::vector<std::string> measuring_arguments(const MeasuringOptions& measuring) 
   };
   if (!measuring.camera.empty()) add("--camera", measuring.camera);
   if (measuring.image_width > 0) add("--width", std::to_string(measuring.image_width));
+  if (!measuring.light_paths.empty()) add("--light-paths", measuring.light_paths);
   if (measuring.bounces) add("--bounces", std::to_string(*measuring.bounces));
+  return arguments;
+}
+
+std::vector<std::string> plan_arguments(const PlanOptions& plan) {
+  std::vector<std::string> arguments;
+  if (!plan.effects.empty()) arguments.insert(arguments.end(), {"--effects", plan.effects});
+  if (plan.tolerance > 0.0) arguments.insert(arguments.end(), {"--tolerance", fmt::format("{}", plan.tolerance)});
   return arguments;
 }
 

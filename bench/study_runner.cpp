@@ -154,28 +154,20 @@ void StudyRunner::make_references() {
     if (i % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index))
       needed[runs_[i].scene] = true;
   for_each_job(settings_.jobs, scenes_.size(), [&](std::size_t scene) {
-    if (needed[scene] && !scenes_[scene].skipped) make_reference(scene);
+    if (!needed[scene] || scenes_[scene].skipped) return;
+    make_reference(scene);
+    make_path_references(scene);
   });
   stop_if_cancelled();
 }
 
 void StudyRunner::make_reference(std::size_t scene) {
-  const StudyReference& goal = *study_.reference;
   SceneState& state = scenes_[scene];
   const std::string& name = study_.scenes[scene].name;
   const fs::path folder = folders_.reference(name);
-  std::vector<std::string> arguments{"reference",    study_.scenes[scene].file.string(),
-                                     "--references", (folders_.root / "references" / "store").string(),
-                                     "--replicas",   std::to_string(goal.replicas),
-                                     "--seed",       std::to_string(study_.measuring.reference_seed),
-                                     "--out",        folder.string(),
-                                     "--force"};
-  const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
-  arguments.insert(arguments.end(), measuring.begin(), measuring.end());
-  if (goal.samples) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples)});
-  if (goal.target_error) arguments.insert(arguments.end(), {"--target-error", fmt::format("{}", *goal.target_error)});
-  const ChildLimits limits{goal.time_limit_seconds ? goal.time_limit_seconds : study_.time_limit_seconds,
-                           study_.memory_limit_bytes};
+  std::vector<std::string> arguments = reference_arguments(scene, study_.measuring);
+  arguments.insert(arguments.end(), {"--out", folder.string(), "--force"});
+  const ChildLimits limits = reference_limits();
   const ChildResult result = child(arguments, limits, "reference-" + name);
   if (result.end == ChildEnd::cancelled) return;
   if (const std::string reason = reason_of(result, limits); !reason.empty()) {
@@ -224,6 +216,8 @@ void StudyRunner::run_one(const PlannedRun& run) {
   for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
   const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
   arguments.insert(arguments.end(), measuring.begin(), measuring.end());
+  const std::vector<std::string> plan = plan_arguments(variant.plan);
+  arguments.insert(arguments.end(), plan.begin(), plan.end());
   if (!study_.reference) arguments.insert(arguments.end(), {"--reference", "none"});
   std::error_code ignored;
   fs::remove_all(made, ignored);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ class StudyRunner {
   void check_scenes();
   void make_references();
   void make_reference(std::size_t scene);
+  void make_path_references(std::size_t scene);
+  std::set<std::string> restricted_paths(std::size_t scene) const;
+  std::vector<std::string> reference_arguments(std::size_t scene, const MeasuringOptions& measuring) const;
+  ChildLimits reference_limits() const;
   void run_all();
   void run_one(const PlannedRun& run);
   void record(const PlannedRun& run, const ChildResult& child, const std::string& key, const std::filesystem::path& made);

@@ -32,6 +32,7 @@ function specifications() {
   const keys = plottedKeys(), width = 620, list = [];
   if (keys.length === 0) return list;
   if (study.rankings[0].points.length) list.push(["ranking", plotting.rankingPlot(study, templates, 0, width)]);
+  if (study.splits[0].points.length) list.push(["error-split", plotting.splitPlot(study, templates, 0, width)]);
   for (const scene of study.scenes) {
     for (const key of keys)
       if (plotting.errorPoints(study, scene, key.index).points.length)

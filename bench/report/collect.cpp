@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "bench/report/format.h"
 #include "bench/report/json_reading.h"
 #include "common/core/error.h"
 
@@ -39,13 +40,30 @@ std::optional<std::string> skip_reason(const Json& scene) {
   return text_at(scene, "message").value_or("left out");
 }
 
+std::vector<SceneEffect> scene_effects_of(const Json& scene) {
+  std::vector<SceneEffect> effects;
+  if (const auto list = scene.find("effects"); list != scene.end() && list->is_array())
+    for (const Json& item : *list) {
+      const auto called_for = item.is_object() ? item.find("called_for") : item.end();
+      if (called_for == item.end() || !called_for->is_boolean()) continue;
+      effects.push_back({text_at(item, "effect").value_or(""), text_at(item, "evidence").value_or(""), called_for->get<bool>()});
+    }
+  return effects;
+}
+
 StudyScene scene_of(const Json& entry, Study& study) {
   StudyScene scene;
   scene.name = text_at(entry, "name").value_or("");
   if (scene.name.empty()) throw InputError((study.folder / "manifest.json").string(), "has a scene without a name");
   scene.skipped = skip_reason(entry);
   scene.exposure = exposure_of(entry);
-  scene.facts = facts_of(entry, {"name", "skipped", "exposure", "message"});
+  scene.effects = scene_effects_of(entry);
+  const Json& bound = object_at(entry, "bounce_bound");
+  scene.bounce_bound = text_at(bound, "evidence").value_or("");
+  const auto most = number_at(bound, "most"), tolerance = number_at(bound, "tolerance");
+  if (tolerance)
+    scene.bounces = (most ? exact(*most) : std::string("not bounded")) + " (for " + exact(*tolerance) + " of the light)";
+  scene.facts = facts_of(entry, {"name", "skipped", "exposure", "message", "effects"});
   scene.reference_folder = inside(study.folder, text_at(entry, "reference").value_or("references/" + scene.name));
   const fs::path file = scene.reference_folder / "reference.json";
   if (scene.reference_folder.empty() || !fs::exists(file)) return scene;

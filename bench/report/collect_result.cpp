@@ -41,6 +41,21 @@ std::map<ErrorKey, MeasuredError> errors_of(const Json& components) {
   return errors;
 }
 
+/// What the record says of the two parts of its errors.
+void read_split(const Json& result, StudyRun& run) {
+  run.light_paths = text_at(result, "light_paths").value_or("");
+  const Json& split = object_at(result, "error_split");
+  if (const auto complete = split.find("complete"); complete != split.end() && complete->is_boolean())
+    run.complete = complete->get<bool>();
+  run.model_errors = errors_of(object_at(split, "model"));
+  run.discretisation_errors = errors_of(object_at(split, "discretisation"));
+  const Json bounces = result.value("errors_per_bounce", Json::array());
+  if (!bounces.is_array()) return;
+  for (const Json& entry : bounces)
+    run.bounces.push_back({static_cast<int>(number_at(entry, "bounce").value_or(0.0)), entry.value("complete", false),
+                           errors_of(object_at(entry, "model")), errors_of(object_at(entry, "discretisation"))});
+}
+
 StudyRun completed(const Json& result, const StudyRun& before) {
   StudyRun run = before;
   if (const Json& parameters = object_at(result, "parameters"); !parameters.empty()) run.parameters = facts_of(parameters);
@@ -57,9 +72,10 @@ StudyRun completed(const Json& result, const StudyRun& before) {
   run.warnings = texts_at(result, "warnings");
   run.termination = text_at(result, "termination").value_or("");
   run.errors = errors_of(object_at(result, "errors"));
-  run.details =
-      facts_of(result, {"gibench_result", "scene", "method", "parameters", "seed", "threads", "version", "commit", "machine",
-                        "effects", "seconds", "memory", "counters", "warnings", "termination", "stages", "errors"});
+  read_split(result, run);
+  run.details = facts_of(result, {"gibench_result", "scene", "method", "parameters", "seed", "threads", "version", "commit",
+                                  "machine", "effects", "seconds", "memory", "counters", "warnings", "termination", "stages",
+                                  "errors", "error_split", "errors_per_bounce"});
   return run;
 }
 

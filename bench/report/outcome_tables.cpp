@@ -27,7 +27,9 @@ void add_effects(const StudyRun& run, std::set<std::vector<std::string>>& known,
   };
   for (const std::string& effect : run.effects->called_for) {
     const bool simulated = contains(run.effects->simulated, effect);
-    add(effect, simulated ? "simulated" : "missing", simulated ? "" : "the scene calls for it, the method cannot do it");
+    const bool lacking = contains(run.effects->missing, effect);
+    if (simulated || lacking)
+      add(effect, simulated ? "simulated" : "missing", simulated ? "" : "the scene calls for it, the method cannot do it");
   }
   for (const std::string& effect : run.effects->missing)
     if (!contains(run.effects->called_for, effect)) add(effect, "missing", "the method cannot do it");
@@ -51,24 +53,82 @@ Table effect_table(const Study& study) {
   return table;
 }
 
+namespace {
+
+/// Outcomes by effect, in the order in which the record tells them.
+std::map<std::string, std::string> outcomes_of(const Effects& effects) {
+  std::map<std::string, std::string> outcomes;
+  for (const std::string& effect : effects.simulated) outcomes[effect] = "simulated";
+  for (const std::string& effect : effects.missing) outcomes[effect] = "missing";
+  for (const auto& skipped : effects.skipped)
+    outcomes[skipped.first] = contains(effects.called_for, skipped.first) ? "not allowed" : "skipped";
+  return outcomes;
+}
+
+/// Runs of one scene and method under one plan.
+struct PlannedRuns {
+  const StudyRun* first;
+  std::map<std::string, std::string> outcomes;
+};
+
+/// The model error of the picture, or of the surface samples where there is none.
+Cell cost_cell(const StudyRun& run) {
+  if (run.complete == true) return {"none", "0"};
+  for (const char* domain : {"image", "surface"})
+    if (const MeasuredError* error = run.model_error({domain, "total", "relative_rmse"}))
+      return {error_text(metric_info("relative_rmse"), *error), exact(error->value)};
+  return text_cell("");
+}
+
+}  // namespace
+
 Table effect_matrix(const Study& study) {
   Table table{
       .name = "effect-matrix",
-      .caption = "Effects by scene and method: simulated, missing (called for, beyond the method) or skipped (not called for).",
+      .caption =
+          "Effects by scene and method: simulated, missing (called for, beyond the method) or skipped (not called for, or "
+          "not allowed); and what the light paths that are not simulated cost: the relative RMSE of the picture's total "
+          "light without them.",
       .columns = {{"Scene", "scene", false}, {"Method", "method", false}},
       .rows = {}};
-  const Table outcomes = effect_table(study);
+  std::vector<PlannedRuns> plans;
+  std::map<std::pair<std::string, std::string>, int> variants;
   std::map<std::string, std::size_t> column;
-  std::map<std::pair<std::string, std::string>, std::size_t> row;
-  for (const auto& outcome : outcomes.rows) {
-    const std::string& effect = outcome[2].raw;
-    if (column.try_emplace(effect, table.columns.size()).second) table.columns.push_back({effect, effect, false});
-    if (row.try_emplace({outcome[0].raw, outcome[1].raw}, table.rows.size()).second)
-      table.rows.push_back({outcome[0], outcome[1]});
+  for (const StudyRun& run : study.runs) {
+    if (!run.effects) continue;
+    const auto outcomes = outcomes_of(*run.effects);
+    const auto same = [&](const PlannedRuns& p) {
+      return p.first->scene == run.scene && p.first->method == run.method && p.outcomes == outcomes &&
+             p.first->light_paths == run.light_paths;
+    };
+    if (std::any_of(plans.begin(), plans.end(), same)) continue;
+    plans.push_back({&run, outcomes});
+    ++variants[{run.scene, run.method}];
+    for (const auto& outcome : outcomes) column.try_emplace(outcome.first, 0);
   }
-  for (auto& cells : table.rows) cells.resize(table.columns.size(), text_cell(""));
-  for (const auto& outcome : outcomes.rows)
-    table.rows[row.at({outcome[0].raw, outcome[1].raw})][column.at(outcome[2].raw)] = outcome[3];
+  std::vector<std::string> order;
+  for (const StudyRun& run : study.runs)
+    if (run.effects)
+      for (const auto* names : {&run.effects->called_for})
+        for (const std::string& name : *names)
+          if (!contains(order, name)) order.push_back(name);
+  for (const auto& entry : column)
+    if (!contains(order, entry.first)) order.push_back(entry.first);
+  for (const std::string& effect : order) {
+    column[effect] = table.columns.size();
+    table.columns.push_back({effect, effect, false});
+  }
+  table.columns.push_back({"Model error", "model_error", true});
+  for (const PlannedRuns& plan : plans) {
+    const StudyRun& run = *plan.first;
+    const bool several = variants.at({run.scene, run.method}) > 1;
+    std::vector<Cell> row(table.columns.size(), text_cell(""));
+    row[0] = text_cell(run.scene);
+    row[1] = text_cell(several ? run.label : run.method);
+    for (const auto& [effect, outcome] : plan.outcomes) row[column.at(effect)] = text_cell(outcome);
+    row.back() = cost_cell(run);
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 

@@ -57,21 +57,23 @@ Json metric_json(const MetricInfo& metric) {
 }
 
 /// What is drawn for one error: the error below the noise floor is drawn at the floor.
-Json error_json(const StudyRun& run, const ErrorKey& key) {
-  const MeasuredError* error = run.error(key);
-  if (!error) return {};
-  const MetricInfo metric = metric_info(key.metric);
-  const bool below = error->below_noise_floor && error->noise_floor.has_value();
-  Json entry = {{"y", plotted_value(metric, below ? *error->noise_floor : error->value)},
+Json drawn_error(const MetricInfo& metric, const MeasuredError& error) {
+  const bool below = error.below_noise_floor && error.noise_floor.has_value();
+  Json entry = {{"y", plotted_value(metric, below ? *error.noise_floor : error.value)},
                 {"below", below},
-                {"text", error_text(metric, *error)}};
-  if (error->noise_floor) entry["floor"] = plotted_value(metric, *error->noise_floor);
-  if (!below && error->low && error->high) {
-    const double a = plotted_value(metric, *error->low), b = plotted_value(metric, *error->high);
+                {"text", error_text(metric, error)}};
+  if (error.noise_floor) entry["floor"] = plotted_value(metric, *error.noise_floor);
+  if (!below && error.low && error.high) {
+    const double a = plotted_value(metric, *error.low), b = plotted_value(metric, *error.high);
     entry["low"] = std::min(a, b);
     entry["high"] = std::max(a, b);
   }
   return entry;
+}
+
+Json error_json(const StudyRun& run, const ErrorKey& key) {
+  const MeasuredError* error = run.error(key);
+  return error ? drawn_error(metric_info(key.metric), *error) : Json();
 }
 
 Json effects_json(const Effects& effects) {
@@ -169,13 +171,31 @@ Json ranking_json(const Study& study, const ErrorKey& key) {
   return {{"table", table_json(ranking_table(study, key, rows))}, {"points", points}};
 }
 
+/// The points of the plot of both parts: one of each part that a run measured.
+Json split_json(const Study& study, const ErrorKey& key) {
+  const MetricInfo metric = metric_info(key.metric);
+  Json points = Json::array();
+  for (const StudyRun& run : study.runs) {
+    if (run.status != RunStatus::done || !run.complete) continue;
+    const auto add = [&](const char* part, const MeasuredError* error) {
+      if (!error) return;
+      Json point = drawn_error(metric, *error);
+      point["run"] = run.label, point["scene"] = run.scene, point["method"] = run.method, point["part"] = part;
+      points.push_back(std::move(point));
+    };
+    add("model", run.model_error(key));
+    add("discretisation", run.discretisation_error(key));
+  }
+  return {{"table", table_json(split_table(study, key))}, {"bounces", table_json(bounce_table(study, key))}, {"points", points}};
+}
+
 }  // namespace
 
 std::string page_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
                       const std::vector<std::string>& warnings) {
   const std::vector<ErrorKey> keys = measured_keys(study);
   Json methods = Json::array(), metrics = Json::object(), key_list = Json::array(), scenes = Json::array(), runs = Json::array(),
-       rankings = Json::array();
+       rankings = Json::array(), splits = Json::array();
   for (const MethodStyle& style : method_styles(study))
     methods.push_back({{"name", style.method}, {"colour", style.colour}, {"shape", style.shape}, {"dash", style.dash}});
   for (const ErrorKey& key : keys) {
@@ -186,6 +206,7 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
                         {"of", describe(key)},
                         {"axis", axis_title(key)}});
     rankings.push_back(ranking_json(study, key));
+    splits.push_back(split_json(study, key));
   }
   for (std::size_t s = 0; s < study.scenes.size(); ++s) scenes.push_back(scene_json(study, s, pictures.at(s), keys));
   for (const StudyRun& run : study.runs) runs.push_back(run_json(run, keys));
@@ -202,6 +223,9 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
                               {"scenes", scenes},
                               {"runs", runs},
                               {"rankings", rankings},
+                              {"splits", splits},
+                              {"calls", table_json(call_table(study))},
+                              {"evidence", table_json(evidence_table(study))},
                               {"effect_matrix", table_json(effect_matrix(study))},
                               {"effects", table_json(effect_table(study))},
                               {"failures", table_json(failure_table(study))}});

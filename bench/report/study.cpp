@@ -14,9 +14,19 @@ const char* to_string(RunStatus status) {
   return "failed";
 }
 
-const MeasuredError* StudyRun::error(const ErrorKey& key) const {
+namespace {
+
+const MeasuredError* find(const std::map<ErrorKey, MeasuredError>& errors, const ErrorKey& key) {
   const auto found = errors.find(key);
   return found == errors.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+const MeasuredError* StudyRun::error(const ErrorKey& key) const { return find(errors, key); }
+const MeasuredError* StudyRun::model_error(const ErrorKey& key) const { return find(model_errors, key); }
+const MeasuredError* StudyRun::discretisation_error(const ErrorKey& key) const {
+  return complete == true ? error(key) : find(discretisation_errors, key);
 }
 
 std::optional<double> StudyRun::transport_seconds(const std::string& domain) const {

@@ -39,6 +39,12 @@ struct Effects {
   std::vector<std::pair<std::string, std::string>> skipped;  ///< effect and why
 };
 
+/// One effect as the scene's analysis decided about it.
+struct SceneEffect {
+  std::string effect, evidence;
+  bool called_for = false;
+};
+
 struct StudyRun {
   std::string id, label, scene, method;
   Facts parameters;
@@ -57,10 +63,24 @@ struct StudyRun {
   std::map<std::string, std::uint64_t> counters;
   std::vector<std::string> warnings;
   std::string termination;
+  std::string light_paths;  ///< what it simulated; empty where its record does not say
+  /// All light paths of the scene: no model error, and all error is of the discretisation. Empty where not told.
+  std::optional<bool> complete;
   std::map<ErrorKey, MeasuredError> errors;
+  std::map<ErrorKey, MeasuredError> model_errors, discretisation_errors;  ///< empty where they were not measured
+  /// By number of reflections; of a bounce that is complete the model errors are empty.
+  struct Bounce {
+    int number = 0;
+    bool complete = false;
+    std::map<ErrorKey, MeasuredError> model_errors, discretisation_errors;
+  };
+  std::vector<Bounce> bounces;
   Facts details;  ///< what else its record says: where it was measured, what the shared evaluator answered, the reference
 
   const MeasuredError* error(const ErrorKey& key) const;
+  const MeasuredError* model_error(const ErrorKey& key) const;
+  /// The error itself for a run that has all light paths.
+  const MeasuredError* discretisation_error(const ErrorKey& key) const;
   /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not told
   /// apart). Reading the scene is the same for every method and left out.
   std::optional<double> transport_seconds(const std::string& domain) const;
@@ -70,6 +90,8 @@ struct StudyScene {
   std::string name;
   std::optional<std::string> skipped;  ///< why the study left the scene out
   float exposure = 0.0F;               ///< stops at which its pictures are shown
+  std::vector<SceneEffect> effects;    ///< what it calls for, and why
+  std::string bounces, bounce_bound;   ///< how many reflections its light needs, and the evidence
   Facts facts;                         ///< camera, resolution, geometry, …
   std::filesystem::path reference_folder;
   Facts reference;  ///< reference.json; empty where there is none

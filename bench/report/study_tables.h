@@ -17,8 +17,16 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
 Table error_table(const Study& study);
 /// Called for, simulated, missing and skipped, a row a scene, method and effect.
 Table effect_table(const Study& study);
-/// The same at a glance: a row a scene and method, a column an effect.
+/// The same at a glance: a row a scene and plan, a column an effect, and what the missing effects cost.
 Table effect_matrix(const Study& study);
+/// What each scene calls for, a column an effect, and its bounce bound.
+Table call_table(const Study& study);
+/// The same with the evidence, a row a scene and effect.
+Table evidence_table(const Study& study);
+/// Error of every run in its two parts: what its light paths lack, and its discretisation of those it has.
+Table split_table(const Study& study, const ErrorKey& key);
+/// Both parts by the number of reflections, for runs that measured them.
+Table bounce_table(const Study& study, const ErrorKey& key);
 /// Runs that were refused, timed out, crashed or failed, and why; skipped scenes too.
 Table failure_table(const Study& study);
 /// Every run: status, parameters, stages, memory, counters that are common to all.

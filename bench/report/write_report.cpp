@@ -34,7 +34,8 @@ void write_tables(const Study& study, const fs::path& folder) {
   for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) write_table(folder, scene_table(study, scene, key));
   write_table(folder, ranking_table(study, key, rank(study, key)));
   for (const Table& table :
-       {run_table(study), error_table(study), effect_matrix(study), effect_table(study), failure_table(study)})
+       {run_table(study), error_table(study), effect_matrix(study), effect_table(study), failure_table(study), call_table(study),
+        evidence_table(study), split_table(study, key), bounce_table(study, key)})
     write_table(folder, table);
 }
 

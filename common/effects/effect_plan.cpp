@@ -1,5 +1,9 @@
 #include "common/effects/effect_plan.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "common/core/error.h"
 #include "common/effects/scene_effects.h"
 
 namespace gibench {
@@ -12,6 +16,8 @@ const char* to_string(Effect effect) {
     case Effect::glossy_chain: return "glossy_chain";
     case Effect::environment: return "environment";
     case Effect::occlusion: return "occlusion";
+    case Effect::two_sided: return "two_sided";
+    case Effect::colour: return "colour";
   }
   return "unknown";
 }
@@ -24,26 +30,65 @@ const char* meaning_of(Effect effect) {
     case Effect::glossy_chain: return "glossy surfaces that light other surfaces";
     case Effect::environment: return "light from an environment";
     case Effect::occlusion: return "surfaces that hide one another";
+    case Effect::two_sided: return "surfaces that reflect on both sides";
+    case Effect::colour: return "surfaces or lights whose channels differ";
   }
   return "unknown";
 }
 
 const std::vector<Effect>& all_effects() {
-  static const std::vector<Effect> effects{Effect::direct,       Effect::diffuse_indirect, Effect::glossy_final_bounce,
-                                           Effect::glossy_chain, Effect::environment,      Effect::occlusion};
+  static const std::vector<Effect> effects{
+      Effect::direct,      Effect::diffuse_indirect, Effect::glossy_final_bounce, Effect::glossy_chain,
+      Effect::environment, Effect::occlusion,        Effect::two_sided,           Effect::colour};
   return effects;
+}
+
+const EffectSet& scene_properties() {
+  static const EffectSet properties{Effect::occlusion, Effect::two_sided, Effect::colour};
+  return properties;
+}
+
+EffectSet effects_of_names(const std::vector<std::string>& names, const std::string& place) {
+  EffectSet effects;
+  for (const std::string& name : names) {
+    bool known = false;
+    for (const Effect effect : all_effects())
+      if (name == to_string(effect)) effects.insert(effect), known = true;
+    if (!known)
+      throw InputError(place, fmt::format("unknown effect '{}'", name),
+                       "known: " + names_of(EffectSet(all_effects().begin(), all_effects().end())));
+  }
+  return effects;
+}
+
+std::string names_of(const EffectSet& effects) {
+  std::vector<std::string> names;
+  for (const Effect effect : effects) names.emplace_back(to_string(effect));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 EffectPlan plan_effects(const SceneEffects& scene, const EffectSet& can_do) {
   EffectPlan plan;
   plan.max_bounces = scene.max_bounces;
+  plan.arrangement = scene.arrangement;
+  plan.sealed = scene.sealed;
+  plan.unlit = scene.unlit;
+  plan.grey_surfaces = scene.grey_surfaces;
+  plan.changes = scene.changes;
+  plan.limits = scene.limits;
+  const PlanLimits& limits = scene.limits;
   for (const EffectEvidence& evidence : scene.effects) {
+    const Effect effect = evidence.effect;
+    const bool can = can_do.contains(effect) || effect == Effect::two_sided || effect == Effect::colour;
     if (!evidence.called_for) {
-      plan.skipped.push_back({evidence.effect, evidence.why});
+      if (limits.forced.contains(effect)) plan.simulated.insert(effect);
+      else plan.skipped.push_back({effect, evidence.why});
       continue;
     }
-    plan.called_for.insert(evidence.effect);
-    (can_do.contains(evidence.effect) ? plan.simulated : plan.missing).insert(evidence.effect);
+    plan.called_for.insert(effect);
+    if (limits.allowed && !limits.allowed->contains(effect) && !scene_properties().contains(effect))
+      plan.skipped.push_back({effect, "called for, but not among the effects allowed"});
+    else (can ? plan.simulated : plan.missing).insert(effect);
   }
   return plan;
 }

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "common/effects/bounce_bound.h"
 #include "common/effects/effect_plan.h"
+#include "common/effects/scene_facts.h"
 #include "common/ray/world.h"
 
 namespace gibench {
@@ -17,30 +19,36 @@ struct EffectEvidence {
   std::string why;  ///< the evidence, one line: "1 emitting material ('lamp')", "every diffuse albedo is 0"
 };
 
+/// Share of the light at which a scene's bounce bound is told where none is asked for.
+inline constexpr double usual_tolerance = 1e-3;
+
 /// Every effect once, in the order of all_effects().
 struct SceneEffects {
   std::vector<EffectEvidence> effects;
   std::optional<int> max_bounces;  ///< reflections between a light and the surface asked about; empty: no bound
+  BounceBound bound;               ///< at the tolerance asked for, or the usual one; binds only in the first case
+  LightCounts lights;              ///< those that reach a surface
+  Arrangement arrangement = Arrangement::general;
+  bool sealed = false, unlit = false, grey_surfaces = false;
+  std::set<Change> changes;
+  PathEvents events;  ///< of which its light paths are made
+  PlanLimits limits;
 
   const EffectEvidence& operator[](Effect effect) const;
   EffectSet called_for() const;
 };
 
-/// How surfaces lie to one another, as far as visibility goes.
-enum class Arrangement {
-  general,          ///< surfaces may hide one another
-  convex_room,      ///< every front looks into one convex space: all fronts see one another
-  no_mutual_sight,  ///< every surface lies behind (or in the plane of) every other: a convex body, a flat plate
-};
-/// Exact up to 1e-5 of the scene's diagonal; degenerate triangles do not count. `general` for more than 4096 triangles,
-/// where looking at every pair would cost more than it saves.
-Arrangement arrangement_of(const World& world);
-
-/// Looks at lights, materials in use and geometry. `bounces` is the user's bound on reflections between a light and
-/// the surface asked about. Never leaves out an effect that the scene needs: what is not certain is called for.
+/// Looks at lights, materials in use, geometry and edits. Never leaves out an effect that the scene needs: what is not
+/// certain is called for. Costs milliseconds: geometry beyond a few thousand triangles is taken as general.
+SceneEffects analyse_effects(const World& world, const PlanLimits& limits);
+/// The same under other lights than the scene's own.
+SceneEffects analyse_effects(const World& world, const Lighting& lighting, const PlanLimits& limits);
+/// With a bound on the reflections between a light and the surface asked about alone.
 SceneEffects analyse_effects(const World& world, std::optional<int> bounces = std::nullopt);
 
-/// called for ∩ what the method can do; the rest is missing (called for, beyond the method) or skipped with its reason.
+/// called for ∩ what the method can do ∩ what the analysis was told to allow; the rest is missing (called for, beyond the
+/// method) or skipped with its reason. Two-sided surfaces and colour are every method's to live with: one that cannot
+/// refuses the scene.
 EffectPlan plan_effects(const SceneEffects& scene, const EffectSet& can_do);
 
 }  // namespace gibench

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t light_place = 0, light_choice = 1, hemisphere = 2, lobe_choice = 3;  // dimension pairs
 constexpr std::size_t batch = 32;                                                            // rays traced together
-constexpr std::size_t most_visited = 64;  // punctual lights that are each given a ray
+constexpr std::size_t most_visited = 64;         // punctual lights that are each given a ray
+constexpr std::size_t most_looked_through = 64;  // emitting triangles that are each held against a ray
 
 /// The surface point that light is gathered at, with the lobe that weighs it.
 struct Gatherer {
@@ -27,10 +28,12 @@ struct Gatherer {
   Vec3 out;     ///< towards the viewer, local
   SobolSequence random;
   RayStream& rays;
+  const DirectLightOptions& options;
 
   Rgb from_punctual() const;
   Rgb from_lights(std::uint32_t begin, std::uint32_t end) const;
   Rgb from_hemisphere(std::uint32_t begin, std::uint32_t end) const;
+  void find_lights(std::span<const Ray> directions, std::span<Hit> hits) const;
   Rgb arriving(const Hit& hit, const Vec3& direction, float pdf) const;
 };
 
@@ -52,7 +55,7 @@ class PendingLight {
   }
   void trace() {
     std::array<std::uint8_t, batch> occluded{};
-    gatherer_.rays.occlusions({shadow_rays_.data(), count_}, {occluded.data(), count_});
+    if (gatherer_.options.tests_visibility) gatherer_.rays.occlusions({shadow_rays_.data(), count_}, {occluded.data(), count_});
     for (std::size_t i = 0; i < count_; ++i)
       if (!occluded[i]) sum_ += contributions_[i];
     count_ = 0;
@@ -101,10 +104,21 @@ Rgb Gatherer::from_hemisphere(std::uint32_t begin, std::uint32_t end) const {
     directions[count] = {origin, 0.0F, frame.to_world(drawn.in)};
     samples[count++] = drawn;
   }
-  rays.closest_hits({directions.data(), count}, {hits.data(), count});
+  find_lights({directions.data(), count}, {hits.data(), count});
   Rgb sum;
   for (std::size_t i = 0; i < count; ++i) sum += samples[i].weight * arriving(hits[i], directions[i].direction, samples[i].pdf);
   return sum;
+}
+
+/// What the rays meet, as far as light may come from there. Where nothing is hidden, a ray meets the emitter that it points
+/// at; among many of them it is looked up as the closest surface.
+void Gatherer::find_lights(std::span<const Ray> directions, std::span<Hit> hits) const {
+  if (options.tests_visibility || (options.surfaces_in_sight && lights.emitter_count() > most_looked_through)) {
+    rays.closest_hits(directions, hits);
+    return;
+  }
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    hits[i] = options.surfaces_in_sight ? lights.emitter_met(directions[i].origin, directions[i].direction) : Hit();
 }
 
 /// Radiance that a ray drawn with this density (0: a mirror's) brings from a light, times its weight.
@@ -127,16 +141,19 @@ Rgb Gatherer::arriving(const Hit& hit, const Vec3& direction, float pdf) const {
 
 struct DirectLight::Impl {
   const World& world;
+  DirectLightOptions options;
   bool visits_punctual;
   SceneLights lights;
   std::vector<SurfaceBsdf> bsdfs;  ///< one for each material
   SurfaceBsdf sensor = SurfaceBsdf::diffuse(Rgb(pi));
 
-  Impl(const World& w, const Lighting& lighting)
+  Impl(const World& w, const Lighting& lighting, const DirectLightOptions& o)
       : world(w),
+        options(o),
         visits_punctual(punctual_lights_of(lighting) <= most_visited),
         lights(w, lighting, visits_punctual ? PunctualLights::visited : PunctualLights::sampled) {
-    for (const Material& material : w.scene().materials) bsdfs.emplace_back(material);
+    for (const Material& material : w.scene().materials)
+      bsdfs.push_back(options.glossy ? SurfaceBsdf(material) : SurfaceBsdf::diffuse(material.diffuse));
   }
 
   static std::size_t punctual_lights_of(const Lighting& lighting) {
@@ -148,7 +165,7 @@ struct DirectLight::Impl {
   Rgb gather(const SurfaceBsdf& bsdf, const SurfaceSample& sample, const Vec3& out, std::uint64_t key, int samples,
              RayStream& rays) const {
     const Frame frame(sample.normal);
-    const Gatherer gatherer{world, lights, bsdf, sample, frame, world.ray_origin(sample), out, SobolSequence(key), rays};
+    const Gatherer gatherer{world, lights, bsdf, sample, frame, world.ray_origin(sample), out, SobolSequence(key), rays, options};
     const auto count = static_cast<std::uint32_t>(std::max(1, samples));
     Rgb sum;
     const bool samples_lights = !bsdf.is_delta() && !lights.nothing_to_sample();
@@ -163,7 +180,8 @@ struct DirectLight::Impl {
   }
 };
 
-DirectLight::DirectLight(const World& world, const Lighting& lighting) : impl_(std::make_unique<Impl>(world, lighting)) {}
+DirectLight::DirectLight(const World& world, const Lighting& lighting, const DirectLightOptions& options)
+    : impl_(std::make_unique<Impl>(world, lighting, options)) {}
 DirectLight::~DirectLight() = default;
 
 Rgb DirectLight::emission(const SurfaceSample& sample) const {

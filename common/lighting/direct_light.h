@@ -11,10 +11,17 @@
 
 namespace gibench {
 
+/// What is known beforehand, and what is not wanted.
+struct DirectLightOptions {
+  bool tests_visibility = true;   ///< false: nothing lies between a lit side and a light that it faces
+  bool surfaces_in_sight = true;  ///< false: no surface sees the front of another
+  bool glossy = true;             ///< false: surfaces reflect with their diffuse lobe alone
+};
+
 /// Immutable after construction, shared by all threads. Keeps references to neither argument but the World.
 class DirectLight {
  public:
-  DirectLight(const World& world, const Lighting& lighting);
+  DirectLight(const World& world, const Lighting& lighting, const DirectLightOptions& options = {});
   ~DirectLight();
 
   /// Radiance that the surface itself emits from the sample's side, W/(m² sr); zero from a back.

@@ -65,6 +65,13 @@ void SceneLights::add_lights(const World& world, const std::vector<Light>& light
   }
 }
 
+Hit SceneLights::emitter_met(const Vec3& origin, const Vec3& direction) const {
+  Hit nearest;
+  for (const TriangleEmitter& emitter : emitters_)
+    if (const Hit hit = emitter.met_by(origin, direction); hit && (!nearest || hit.distance < nearest.distance)) nearest = hit;
+  return nearest;
+}
+
 Rgb SceneLights::environment(const Vec3& direction) const {
   Rgb sum;
   for (const EnvironmentSampler& environment : environments_) sum += environment.radiance(direction);

@@ -28,6 +28,9 @@ class SceneLights {
   bool nothing_to_sample() const { return choice_.empty(); }
   /// There are lights that a ray can meet: emitting triangles or an environment.
   bool can_be_hit() const { return !emitters_.empty() || !environments_.empty(); }
+  std::size_t emitter_count() const { return emitters_.size(); }  ///< triangles
+  /// The nearest emitting triangle that a ray meets, whatever else lies on its way: each of them is looked at.
+  Hit emitter_met(const Vec3& origin, const Vec3& direction) const;
   std::size_t punctual_count() const { return punctual_.size(); }
   /// The way to one punctual light, with pdf 1.
   LightSample punctual(std::size_t light, const Vec3& position) const;

@@ -11,6 +11,7 @@ namespace gibench {
 namespace {
 
 constexpr float near_radii = 2.5F;             // distances from the centre, in radii of the triangle
+constexpr float edge_margin = 1e-6F;           // of the barycentrics: no ray slips through between two triangles
 constexpr double smallest_solid_angle = 0.02;  // sr; a sliver of less is seen at a slant: by area
 
 SphericalTriangle seen_from(const Vec3& from, const Vec3& corner, const Vec3& first, const Vec3& second) {
@@ -88,6 +89,21 @@ LightSample TriangleEmitter::sample(const Vec3& from, Vec2 u) const {
     }
   }
   return toward(from, uniform_triangle(u));
+}
+
+/// Möller and Trumbore 1997.
+Hit TriangleEmitter::met_by(const Vec3& origin, const Vec3& direction) const {
+  const Vec3 across = glm::cross(direction, second_);
+  const float determinant = glm::dot(first_, across);
+  if (determinant == 0.0F) return {};
+  const Vec3 apart = origin - corner_;
+  const float u = glm::dot(apart, across) / determinant;
+  if (!(u >= -edge_margin && u <= 1.0F + edge_margin)) return {};
+  const Vec3 normal_to_both = glm::cross(apart, first_);
+  const float v = glm::dot(direction, normal_to_both) / determinant;
+  if (!(v >= -edge_margin && u + v <= 1.0F + edge_margin)) return {};
+  const float distance = glm::dot(second_, normal_to_both) / determinant;
+  return distance > 0.0F ? Hit{triangle_, u, v, distance} : Hit{};
 }
 
 float TriangleEmitter::pdf(const Vec3& from, float distance, float cosine) const {

@@ -23,6 +23,8 @@ class TriangleEmitter {
   LightSample sample(const Vec3& from, Vec2 u) const;
   /// Density, 1/sr, of the direction from `from` that meets the triangle at `distance` metres under this absolute cosine.
   float pdf(const Vec3& from, float distance, float cosine) const;
+  /// Where the ray meets the triangle, from either side; edges belong to it.
+  Hit met_by(const Vec3& origin, const Vec3& direction) const;
 
  private:
   double near_solid_angle(const Vec3& from) const;

@@ -10,6 +10,7 @@
 
 #include "common/core/error.h"
 #include "common/core/random.h"
+#include "common/effects/scene_effects.h"
 
 namespace gibench {
 
@@ -39,6 +40,21 @@ void poison(std::span<Rgb> values) {
   for (Rgb& value : values) value = Rgb(std::numeric_limits<float>::quiet_NaN());
 }
 
+bool is_empty(const ShadeAnswer& answer) {
+  return answer.direct.empty() && answer.indirect.empty() && answer.direct_variance.empty() && answer.indirect_variance.empty() &&
+         answer.total_variance.empty();
+}
+
+/// The lights that the plan leaves: none from outside a sealed scene, and no environment that the user does not allow.
+Lighting lights_under(const EffectPlan& plan, const Lighting& lighting) {
+  Lighting used = lighting;
+  std::erase_if(used.lights, [&](const Light& light) {
+    const bool sky = std::holds_alternative<EnvironmentLight>(light), sun = std::holds_alternative<DirectionalLight>(light);
+    return (plan.sealed && (sky || sun)) || (sky && plan.forbids(Effect::environment));
+  });
+  return used;
+}
+
 /// Turns the report into invalid_output at the first value that was not written or is not finite.
 void check_written(std::span<const Rgb> values, const char* what, StageReport& report) {
   if (!succeeded(report.termination)) return;
@@ -52,37 +68,93 @@ void check_written(std::span<const Rgb> values, const char* what, StageReport& r
 
 }  // namespace
 
+EffectSet effects_of(const Capabilities& can) {
+  EffectSet effects = can.effects;
+  if (!can.direct) effects.insert(Effect::direct);
+  return effects;
+}
+
+std::string TransportMethod::do_light_paths(const EffectPlan& plan, const BounceRange& range) const {
+  return light_paths_of(plan, !capabilities().direct, range);
+}
+
+/// A method that leaves direct light to the shared evaluator, and is to compute no other. Openness is not of the plan.
+bool TransportMethod::has_nothing_to_do(const EffectPlan& plan) const {
+  const Capabilities can = capabilities();
+  return plan.skips_indirect() && !can.direct && !can.quantities.contains(Quantity::accessibility);
+}
+
 StageReport TransportMethod::prepare(const World& world, const EffectPlan& plan, Task& task) {
   world_ = &world;
   plan_ = plan;
   lit_ = false;
   direct_light_.reset();
-  StageReport report = timed_stage(task, [&](StageReport& r) { do_prepare(task, r); });
+  StageReport report = timed_stage(task, [&](StageReport& r) { run_prepare(task, r); });
   prepared_ = succeeded(report.termination);
   return report;
 }
 
+void TransportMethod::run_prepare(Task& task, StageReport& report) {
+  idle_ = has_nothing_to_do(plan_);
+  if (idle_) report.message = "the plan calls for no indirect light: nothing to prepare";
+  else do_prepare(task, report);
+}
+
+/// What the scene calls for as it now is, within the limits of the plan it had.
+void TransportMethod::plan_again(const Lighting& lighting) {
+  const std::string light_paths = plan_.light_paths;
+  plan_ = plan_effects(analyse_effects(*world_, lighting, *plan_.limits), effects_of(capabilities()));
+  plan_.light_paths = light_paths;
+}
+
 void TransportMethod::rebuild_direct_light(const Lighting& lighting) {
   GIBENCH_CHECK(lighting.emission.size() == world_->scene().materials.size(), "one emission for each material");
-  direct_light_ = std::make_unique<DirectLight>(*world_, lighting);
+  tests_visibility_ = !plan_.limits || plan_.simulates(Effect::occlusion) ||
+                      lights_may_be_hidden(*world_, plan_.arrangement, plan_.sealed, lighting);
+  DirectLightOptions options;
+  options.tests_visibility = tests_visibility_;
+  options.surfaces_in_sight = plan_.arrangement != Arrangement::no_mutual_sight;
+  options.glossy = !plan_.forbids(Effect::glossy_final_bounce);
+  direct_light_ = std::make_unique<DirectLight>(*world_, lighting, options);
 }
 
 StageReport TransportMethod::light(const Lighting& lighting, Task& task) {
   GIBENCH_CHECK(prepared_, "light() comes after a prepare() that succeeded");
-  StageReport report = timed_stage(task, [&](StageReport& r) {
-    rebuild_direct_light(lighting);
-    do_light(lighting, task, r);
-  });
+  StageReport report = timed_stage(task, [&](StageReport& r) { run_light(lighting, task, r); });
   lit_ = succeeded(report.termination);
   return report;
+}
+
+void TransportMethod::run_light(const Lighting& lighting, Task& task, StageReport& report) {
+  rebuild_direct_light(lights_under(plan_, lighting));
+  if (plan_.unlit && plan_.limits && !direct_light_->dark()) {
+    plan_again(lighting);
+    rebuild_direct_light(lights_under(plan_, lighting));
+    if (idle_) run_prepare(task, report);
+    if (!succeeded(report.termination) || task.cancelled()) return;
+  }
+  const bool dark = direct_light_->dark() && !capabilities().quantities.contains(Quantity::accessibility);
+  if (idle_ || dark) report.message = dark ? "no light: nothing to transport" : "nothing to transport";
+  else do_light(lights_under(plan_, lighting), task, report);
 }
 
 StageReport TransportMethod::edit(const SceneEdit& edit, const World& after, const Lighting& lighting, Task& task) {
   GIBENCH_CHECK(prepared_, "edit() comes after a prepare() that succeeded");
   world_ = &after;
   StageReport report = timed_stage(task, [&](StageReport& r) {
-    rebuild_direct_light(lighting);
-    do_edit(edit, lighting, task, r);
+    if (plan_.limits) plan_again(lighting);
+    const bool was_idle = idle_;
+    idle_ = has_nothing_to_do(plan_);
+    const Lighting used = lights_under(plan_, lighting);
+    rebuild_direct_light(used);
+    if (idle_) {
+      r.message = "the plan calls for no indirect light: nothing to do";
+    } else if (was_idle || direct_light_->dark()) {
+      do_prepare(task, r);
+      if (succeeded(r.termination) && !task.cancelled()) run_light(lighting, task, r);
+    } else {
+      do_edit(edit, used, task, r);
+    }
   });
   prepared_ = lit_ = succeeded(report.termination);
   return report;
@@ -112,21 +184,38 @@ StageReport TransportMethod::shade(const ShadeRequest& request, const ShadeAnswe
     poison(values);
 
   StageReport report = timed_stage(task, [&](StageReport& r) {
+    const ShadeAnswer planned = request.quantity == Quantity::accessibility ? answer : without_the_skipped(answer);
+    if (is_empty(planned)) return;
     if (request.quantity == Quantity::radiosity && !can.quantities.contains(Quantity::radiosity)) {
-      shade_radiosity(request, answer, task, r);
+      shade_radiosity(request, planned, task, r);
       return;
     }
     GIBENCH_CHECK(can.quantities.contains(request.quantity), "a method is asked only for quantities that it answers");
-    ShadeAnswer own = answer;
+    ShadeAnswer own = planned;
     if (!can.direct && request.quantity != Quantity::accessibility) own.direct = {};
-    do_shade(request, own, task, r);
-    if (own.direct.size() != answer.direct.size()) shade_direct(request, answer.direct, task);
+    if (!is_empty(own)) do_shade(request, own, task, r);
+    if (own.direct.size() != planned.direct.size()) shade_direct(request, planned.direct, task);
   });
   check_written(answer.direct, "direct light", report);
   check_written(answer.indirect, "indirect light", report);
   for (std::span<const Rgb> variance : {answer.direct_variance, answer.indirect_variance, answer.total_variance})
     check_written(variance, "the variance", report);
   return report;
+}
+
+/// Zeroes what the plan skips, or all of it in the dark, and gives what is left to ask for.
+ShadeAnswer TransportMethod::without_the_skipped(const ShadeAnswer& answer) const {
+  ShadeAnswer rest = answer;
+  const auto skip = [](std::span<Rgb>& values) {
+    std::fill(values.begin(), values.end(), Rgb());
+    values = {};
+  };
+  const bool dark = direct_light_->dark();
+  const bool no_direct = plan_.limits && plan_.leaves_out(Effect::direct), no_indirect = plan_.skips_indirect();
+  if (dark || no_direct) skip(rest.direct), skip(rest.direct_variance);
+  if (dark || no_indirect) skip(rest.indirect), skip(rest.indirect_variance);
+  if (dark || (no_direct && no_indirect)) skip(rest.total_variance);
+  return rest;
 }
 
 void TransportMethod::shade_direct(const ShadeRequest& request, std::span<Rgb> direct, Task& task) const {
@@ -150,8 +239,9 @@ void TransportMethod::shade_radiosity(const ShadeRequest& request, const ShadeAn
                 "a derived radiosity has no variance");
   const ShadeRequest irradiance{Quantity::irradiance, request.samples, {}};
   const bool own_direct = capabilities().direct;
-  do_shade(irradiance, {own_direct ? answer.direct : std::span<Rgb>{}, answer.indirect, {}, {}, {}}, task, report);
-  if (!own_direct) shade_direct(irradiance, answer.direct, task);
+  const ShadeAnswer own{own_direct ? answer.direct : std::span<Rgb>{}, answer.indirect, {}, {}, {}};
+  if (!is_empty(own)) do_shade(irradiance, own, task, report);
+  if (!own_direct && !answer.direct.empty()) shade_direct(irradiance, answer.direct, task);
   for (std::size_t i = 0; i < request.samples.size(); ++i) {
     const SurfaceSample& sample = request.samples[i];
     const Rgb albedo = sample.lit_side ? world().scene().material_of_object(sample.object).diffuse : Rgb();

@@ -26,40 +26,51 @@ bool SurfaceBsdf::is_black() const {
 }
 
 /// The probability of sampling the specular lobe: its share of what both reflect, estimated at `out`.
-float SurfaceBsdf::specular_share(const Vec3& out) const {
-  if (kind_ == Bsdf::diffuse) return 0.0F;
+float SurfaceBsdf::specular_share(const Vec3& out, Lobes lobes) const {
+  if (kind_ == Bsdf::diffuse || !contains(lobes, Lobes::specular)) return 0.0F;
+  if (lobes == Lobes::specular) return 1.0F;
   const float specular = kind_ == Bsdf::phong ? largest(phong_.specular) : largest(ggx_.fresnel(out.z));
   const float both = specular + largest(diffuse_.albedo);
   return both > 0.0F ? specular / both : 0.0F;
 }
 
 BsdfValue SurfaceBsdf::evaluate(const Vec3& out, const Vec3& in) const {
-  if (!(out.z > 0.0F) || !(in.z > 0.0F) || kind_ == Bsdf::mirror) return {};
-  BsdfValue result{diffuse_.value(), DiffuseLobe::pdf(in)};
-  if (kind_ == Bsdf::diffuse) return result;
-  const float share = specular_share(out);
+  const LobeValues lobes = evaluate_lobes(out, in, Lobes::both);
+  return {lobes.diffuse + lobes.specular, lobes.pdf};
+}
+
+LobeValues SurfaceBsdf::evaluate_lobes(const Vec3& out, const Vec3& in, Lobes lobes) const {
+  LobeValues result;
+  if (!(out.z > 0.0F) || !(in.z > 0.0F) || kind_ == Bsdf::mirror) return result;
+  if (contains(lobes, Lobes::diffuse)) {
+    result.diffuse = diffuse_.value();
+    result.pdf = DiffuseLobe::pdf(in);
+  }
+  if (kind_ == Bsdf::diffuse || !contains(lobes, Lobes::specular)) return result;
+  const float share = specular_share(out, lobes);
   const bool phong = kind_ == Bsdf::phong;
-  result.value += phong ? phong_.value(out, in) : ggx_.value(out, in);
+  result.specular = phong ? phong_.value(out, in) : ggx_.value(out, in);
   result.pdf = (1.0F - share) * result.pdf + share * (phong ? phong_.pdf(out, in) : ggx_.pdf(out, in));
   return result;
 }
 
-BsdfSample SurfaceBsdf::sample(const Vec3& out, float choice, Vec2 u) const {
+BsdfSample SurfaceBsdf::sample(const Vec3& out, float choice, Vec2 u, Lobes lobes) const {
   BsdfSample sample;
-  if (!(out.z > 0.0F)) return sample;
-  if (kind_ == Bsdf::mirror) return {{-out.x, -out.y, out.z}, mirror_, 0.0F, true};
+  if (!(out.z > 0.0F) || lobes == Lobes::none) return sample;
+  if (kind_ == Bsdf::mirror) return {{-out.x, -out.y, out.z}, contains(lobes, Lobes::specular) ? mirror_ : Rgb(), 0.0F, true};
   if (kind_ == Bsdf::diffuse) {
+    if (!contains(lobes, Lobes::diffuse)) return sample;
     sample.in = DiffuseLobe::sample(u);
     sample.pdf = DiffuseLobe::pdf(sample.in);
     if (sample.pdf > 0.0F) sample.weight = diffuse_.albedo;
     return sample;
   }
-  if (choice >= specular_share(out)) sample.in = DiffuseLobe::sample(u);
+  if (choice >= specular_share(out, lobes)) sample.in = DiffuseLobe::sample(u);
   else sample.in = kind_ == Bsdf::phong ? phong_.sample(out, u) : ggx_.sample(out, u);
-  const BsdfValue value = evaluate(out, sample.in);
+  const LobeValues value = evaluate_lobes(out, sample.in, lobes);
   if (!(value.pdf > 0.0F)) return sample;
   sample.pdf = value.pdf;
-  sample.weight = value.value * (sample.in.z / value.pdf);
+  sample.weight = (value.diffuse + value.specular) * (sample.in.z / value.pdf);
   return sample;
 }
 

@@ -2,6 +2,8 @@
 /// leave the surface, and are given in the frame whose z axis is the normal of the lit side.
 #pragma once
 
+#include <cstdint>
+
 #include "common/reflectance/diffuse_lobe.h"
 #include "common/reflectance/ggx_lobe.h"
 #include "common/reflectance/phong_lobe.h"
@@ -14,6 +16,17 @@ struct BsdfValue {
   Rgb value;         ///< f, 1/sr, without the cosine
   float pdf = 0.0F;  ///< of sample() giving `in` for `out`, 1/sr
 };
+
+/// The same, lobe by lobe.
+struct LobeValues {
+  Rgb diffuse, specular;  ///< f of each, 1/sr, without the cosine
+  float pdf = 0.0F;
+};
+
+/// Lobes that may scatter, as bits.
+enum class Lobes : std::uint8_t { none = 0, diffuse = 1, specular = 2, both = 3 };
+constexpr bool contains(Lobes lobes, Lobes one) { return (static_cast<unsigned>(lobes) & static_cast<unsigned>(one)) != 0; }
+constexpr Lobes operator|(Lobes a, Lobes b) { return static_cast<Lobes>(static_cast<unsigned>(a) | static_cast<unsigned>(b)); }
 
 struct BsdfSample {
   Vec3 in{0.0F};       ///< where light is looked for
@@ -38,11 +51,14 @@ class SurfaceBsdf {
 
   /// Zero for a mirror.
   BsdfValue evaluate(const Vec3& out, const Vec3& in) const;
-  /// Draws a direction with a density near f · cos: `choice` picks the lobe, `u` the direction, all in [0, 1).
-  BsdfSample sample(const Vec3& out, float choice, Vec2 u) const;
+  /// The lobes that may scatter alone, and the density of sampling those; zero for a mirror.
+  LobeValues evaluate_lobes(const Vec3& out, const Vec3& in, Lobes lobes) const;
+  /// Draws a direction with a density near f · cos of the lobes that may scatter: `choice` picks the lobe, `u` the
+  /// direction, all in [0, 1).
+  BsdfSample sample(const Vec3& out, float choice, Vec2 u, Lobes lobes = Lobes::both) const;
 
  private:
-  float specular_share(const Vec3& out) const;
+  float specular_share(const Vec3& out, Lobes lobes) const;
 
   Bsdf kind_ = Bsdf::diffuse;
   DiffuseLobe diffuse_;

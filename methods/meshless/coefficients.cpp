@@ -8,10 +8,10 @@ void Coefficients::set(std::uint32_t point, const Rgb& value) {
   if (!has(point)) {
     slot_[point] = static_cast<std::uint32_t>(points_.size());
     points_.push_back(point);
-    values_.push_back(value);
-  } else {
-    values_[slot_[point]] = value;
+    values_.resize(values_.size() + channels_);
   }
+  for (std::uint32_t channel = 0; channel < channels_; ++channel)
+    values_[std::size_t{channels_} * slot_[point] + channel] = value[static_cast<int>(channel)];
 }
 
 std::vector<std::uint32_t> Coefficients::sorted_points() const {
@@ -27,7 +27,7 @@ Rgb Coefficients::evaluate(const Place& at, std::uint32_t last_level) const {
     float weights = 0.0F;
     hierarchy_->visit_covering(level, at, [&](std::uint32_t point, float w) {
       weights += w;
-      if (has(point)) weighted += w * values_[slot_[point]];
+      if (has(point)) weighted += w * value_in(slot_[point]);
     });
     if (weights > 0.0F) sum += weighted / weights;
   }

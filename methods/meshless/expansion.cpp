@@ -7,7 +7,7 @@
 namespace gibench::meshless {
 
 Expansion::Expansion(const Coefficients& coefficients)
-    : levels_(coefficients.hierarchy().levels()), groups_(coefficients.hierarchy().groups()) {
+    : levels_(coefficients.hierarchy().levels()), groups_(coefficients.hierarchy().groups()), channels_(coefficients.channels()) {
   const Hierarchy& hierarchy = coefficients.hierarchy();
   const std::vector<std::uint32_t> points = coefficients.sorted_points();
   clusters_.reserve(std::size_t{levels_} * groups_);
@@ -34,19 +34,22 @@ void Expansion::add_cluster(const Coefficients& coefficients, std::uint32_t leve
       });
   Cluster& cluster = clusters_.back();
   std::vector<Box> boxes;
-  cluster.blocks.reserve(static_cast<std::size_t>(std::count(reached.begin(), reached.end(), 1)));
+  const auto count = static_cast<std::size_t>(std::count(reached.begin(), reached.end(), 1));
+  cluster.blocks.reserve(count);
+  cluster.values.reserve(count * static_cast<std::size_t>(channels_));
   for (std::uint32_t block = 0; block < reached.size(); ++block) {
     if (reached[block] == 0) continue;
     const std::uint32_t first = begin + block * tree_width;
-    cluster.blocks.push_back(make_block(coefficients, first, std::min(end, first + tree_width)));
+    add_block(coefficients, first, std::min(end, first + tree_width), cluster);
     boxes.push_back(hierarchy.block_box(level, group, block));
   }
   cluster.tree = BoxTree(boxes);
 }
 
-Expansion::Block Expansion::make_block(const Coefficients& coefficients, std::uint32_t begin, std::uint32_t end) {
+void Expansion::add_block(const Coefficients& coefficients, std::uint32_t begin, std::uint32_t end, Cluster& cluster) {
   const Hierarchy& hierarchy = coefficients.hierarchy();
   Block block{};
+  Lanes values[3]{};
   for (std::uint32_t i = 0; i < tree_width; ++i) {
     block.inverse_radius_squared[i] = std::numeric_limits<float>::max();
     if (begin + i >= end) continue;
@@ -58,9 +61,10 @@ Expansion::Block Expansion::make_block(const Coefficients& coefficients, std::ui
     }
     block.inverse_radius_squared[i] = 1.0F / (hierarchy.radius(point) * hierarchy.radius(point));
     const Rgb value = coefficients[point];
-    block.red[i] = value.r, block.green[i] = value.g, block.blue[i] = value.b;
+    for (int channel = 0; channel < 3; ++channel) values[channel][i] = value[channel];
   }
-  return block;
+  cluster.blocks.push_back(block);
+  cluster.values.insert(cluster.values.end(), values, values + coefficients.channels());
 }
 
 /// Squared distances in units of the radii.
@@ -74,14 +78,13 @@ Lanes Expansion::cosine(const Block& block, const Vec3& normal) {
 }
 
 /// Eq. 12 and 13 and the sums of Eq. 4, eight basis functions at a time.
-void Expansion::Sums::add_weights(const Block& block, const Lanes& squared_ratio, const Lanes& cosine) {
+template <int channels>
+void Expansion::Sums::add_weights(const Lanes* values, const Lanes& squared_ratio, const Lanes& cosine) {
   const Lanes ratio = smaller(squared_ratio, all_lanes(1.0F));
   const Lanes kernel = ratio * (2.0F * square_root(ratio) - 3.0F) + 1.0F;
   const Lanes w = cosine > least_cosine ? kernel * cosine : Lanes{};
   weight += w;
-  red += w * block.red;
-  green += w * block.green;
-  blue += w * block.blue;
+  for (int channel = 0; channel < channels; ++channel) colour[channel] += w * values[channel];
 }
 
 /// Counts the basis functions that cover the place and adds up the solid angles of their balls: 2π (1 − cos θ),
@@ -95,28 +98,41 @@ void Expansion::Sums::add_solid_angles(const Block& block, const Vec3& receiver,
   solid_angle += covers ? angle : Lanes{};
 }
 
+template <int channels>
 bool Expansion::Sums::level_value(Rgb& value) const {
   const float weights = sum_of(weight);
   if (!(weights > 0.0F)) return false;
-  value = Rgb(sum_of(red), sum_of(green), sum_of(blue)) / weights;
+  if constexpr (channels == 1) value = Rgb(sum_of(colour[0]) / weights);
+  else value = Rgb(sum_of(colour[0]), sum_of(colour[1]), sum_of(colour[2])) / weights;
   return true;
 }
 
-Rgb Expansion::evaluate(const Place& at) const {
+Rgb Expansion::evaluate(const Place& at) const { return channels_ == 1 ? evaluate_channels<1>(at) : evaluate_channels<3>(at); }
+
+Rgb Expansion::evaluate_seen(const Place& at, const Vec3& receiver, float solid_angle, std::uint64_t& levels_used) const {
+  return channels_ == 1 ? evaluate_channels_seen<1>(at, receiver, solid_angle, levels_used)
+                        : evaluate_channels_seen<3>(at, receiver, solid_angle, levels_used);
+}
+
+template <int channels>
+Rgb Expansion::evaluate_channels(const Place& at) const {
   Rgb sum;
   for (std::uint32_t level = 0; level < levels_; ++level) {
     const Cluster& cluster = clusters_[level * groups_ + at.group];
     Sums sums;
     cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
       const Block& block = cluster.blocks[index];
-      sums.add_weights(block, squared_ratio(block, at.position), cosine(block, at.normal));
+      sums.add_weights<channels>(&cluster.values[std::size_t{channels} * index], squared_ratio(block, at.position),
+                                 cosine(block, at.normal));
     });
-    if (Rgb value; sums.level_value(value)) sum += value;
+    if (Rgb value; sums.level_value<channels>(value)) sum += value;
   }
   return sum;
 }
 
-Rgb Expansion::evaluate_seen(const Place& at, const Vec3& receiver, float solid_angle, std::uint64_t& levels_used) const {
+template <int channels>
+Rgb Expansion::evaluate_channels_seen(const Place& at, const Vec3& receiver, float solid_angle,
+                                      std::uint64_t& levels_used) const {
   Rgb sum;
   for (std::uint32_t level = 0; level < levels_; ++level) {
     const Cluster& cluster = clusters_[level * groups_ + at.group];
@@ -125,11 +141,11 @@ Rgb Expansion::evaluate_seen(const Place& at, const Vec3& receiver, float solid_
     cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
       const Block& block = cluster.blocks[index];
       const Lanes ratio = squared_ratio(block, at.position), facing = cosine(block, at.normal);
-      sums.add_weights(block, ratio, facing);
+      sums.add_weights<channels>(&cluster.values[std::size_t{channels} * index], ratio, facing);
       sums.add_solid_angles(block, receiver, ratio, facing);
     });
     Rgb value;
-    if (!sums.level_value(value)) continue;
+    if (!sums.level_value<channels>(value)) continue;
     ++levels_used;
     sum += value;
     if (sum_of(sums.solid_angle) < solid_angle * sum_of(sums.covering)) break;
@@ -139,7 +155,8 @@ Rgb Expansion::evaluate_seen(const Place& at, const Vec3& receiver, float solid_
 
 std::size_t Expansion::bytes() const {
   std::size_t sum = clusters_.capacity() * sizeof(Cluster);
-  for (const Cluster& cluster : clusters_) sum += cluster.blocks.capacity() * sizeof(Block) + cluster.tree.bytes();
+  for (const Cluster& cluster : clusters_)
+    sum += cluster.blocks.capacity() * sizeof(Block) + cluster.values.capacity() * sizeof(Lanes) + cluster.tree.bytes();
   return sum;
 }
 

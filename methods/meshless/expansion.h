@@ -28,32 +28,41 @@ class Expansion {
   std::size_t bytes() const;
 
  private:
-  /// Eight basis functions; missing ones have no normal and never weigh.
+  /// Eight basis functions; missing ones have no normal and never weigh. Their coefficients stand apart, a Lanes a channel.
   struct Block {
-    Lanes position[3], normal[3], inverse_radius_squared, red, green, blue;
+    Lanes position[3], normal[3], inverse_radius_squared;
   };
   /// What a level contributes at one place, lane by lane.
   struct Sums {
-    Lanes weight{}, red{}, green{}, blue{};
+    Lanes weight{}, colour[3]{};
     Lanes covering{}, solid_angle{};
 
-    void add_weights(const Block& block, const Lanes& squared_ratio, const Lanes& cosine);
+    /// `values`: of the block, one Lanes a channel; a grey one stands for three.
+    template <int channels>
+    void add_weights(const Lanes* values, const Lanes& squared_ratio, const Lanes& cosine);
     void add_solid_angles(const Block& block, const Vec3& receiver, const Lanes& squared_ratio, const Lanes& cosine);
     /// Divides by the weights; false, and nothing to add, where none covers the place.
+    template <int channels>
     bool level_value(Rgb& value) const;
   };
   struct Cluster {
     std::vector<Block> blocks;
+    std::vector<Lanes> values;  ///< channels_ of every block
     BoxTree tree;
   };
 
   void add_cluster(const Coefficients& coefficients, std::uint32_t level, std::uint32_t group,
                    const std::vector<std::uint32_t>& points);
-  static Block make_block(const Coefficients& coefficients, std::uint32_t begin, std::uint32_t end);
+  static void add_block(const Coefficients& coefficients, std::uint32_t begin, std::uint32_t end, Cluster& cluster);
+  template <int channels>
+  Rgb evaluate_channels(const Place& at) const;
+  template <int channels>
+  Rgb evaluate_channels_seen(const Place& at, const Vec3& receiver, float solid_angle, std::uint64_t& levels_used) const;
   static Lanes squared_ratio(const Block& block, const Vec3& position);
   static Lanes cosine(const Block& block, const Vec3& normal);
 
   std::uint32_t levels_ = 0, groups_ = 0;
+  int channels_ = 3;
   std::vector<Cluster> clusters_;  ///< by level, then group
 };
 

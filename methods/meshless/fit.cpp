@@ -35,7 +35,7 @@ void fit_level(Coefficients& coefficients, std::uint32_t level, std::span<const 
 
 Coefficients fit(const Coefficients& values, int corrections, Task& task) {
   const Hierarchy& hierarchy = values.hierarchy();
-  Coefficients fitted(hierarchy);
+  Coefficients fitted(hierarchy, values.channels());
   const std::vector<std::uint32_t> points = values.sorted_points();
   auto begin = points.begin();
   for (std::uint32_t level = 0; level < hierarchy.levels() && begin != points.end(); ++level) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "common/core/error.h"
+#include "common/effects/scene_facts.h"
 #include "methods/meshless/placement.h"
 #include "methods/meshless/settings.h"
 #include "methods/meshless/solver.h"
@@ -47,6 +48,14 @@ class Meshless : public TransportMethod {
   }
   bool needs_points() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
 
+  /// In one convex room no point lies inside geometry: nothing is behind another's front.
+  Settings planned_settings() const {
+    Settings settings = settings_;
+    if (plan().limits && plan().arrangement != Arrangement::general && !plan().simulates(Effect::occlusion))
+      settings.backface_test = false;
+    return settings;
+  }
+
   void do_prepare(Task& task, StageReport& report) override {
     solution_ = {};
     transport_ = {};
@@ -54,23 +63,27 @@ class Meshless : public TransportMethod {
       report.message = "no diffuse interreflection is called for: no points placed";
       return;
     }
-    transport_.groups = make_groups(world(), settings_.grouping);
-    Placement placement = place_points(world(), transport_.groups, settings_, task);
+    const Settings settings = planned_settings();
+    transport_.groups = make_groups(world(), settings.grouping);
+    Placement placement = place_points(world(), transport_.groups, settings, task);
     task.count("proposals", placement.proposals);
-    transport_.hierarchy = Hierarchy(std::move(placement), transport_.groups.count, settings_, task);
+    transport_.hierarchy = Hierarchy(std::move(placement), transport_.groups.count, settings, task);
     task.count("samples", transport_.hierarchy.size());
     task.count("levels", transport_.hierarchy.levels());
     if (transport_.hierarchy.levels() > 0) task.count("coarsest_samples", transport_.hierarchy.level_size(0));
     task.count("groups", transport_.groups.count);
   }
 
-  void do_light(const Lighting&, Task& task, StageReport& report) override {
+  void do_light(const Lighting& lighting, Task& task, StageReport& report) override {
     solution_ = {};
     if (!needs_points() || (direct_light().dark() && settings_.direct == DirectAnswer::shared)) {
       report.message = needs_points() ? "no light: nothing to transport" : "nothing to transport";
       return;
     }
-    solution_ = solve(world(), transport_, direct_light(), settings_, plan().max_bounces, simulates_indirect(), task);
+    const bool grey = plan().grey_surfaces && is_grey(lighting);
+    solution_ =
+        solve(world(), transport_, direct_light(), settings_, {plan().max_bounces, simulates_indirect(), grey ? 1 : 3}, task);
+    task.count("channels", grey ? 1 : 3);
     report.termination = solution_.termination;
     report.message = solution_.message;
   }
@@ -94,7 +107,7 @@ class Meshless : public TransportMethod {
   std::vector<std::uint8_t> clear_samples(std::span<const SurfaceSample> samples, Task& task) const {
     std::vector<std::uint8_t> clear(samples.size(), 1);
     if (!solution_.indirect && !solution_.direct) return clear;
-    if (settings_.backface_test) {
+    if (planned_settings().backface_test) {
       std::vector<DiscPoint> points;
       points.reserve(samples.size());
       for (const SurfaceSample& sample : samples) points.push_back({sample.position, sample.normal, {sample.triangle, true}});
@@ -124,7 +137,7 @@ MethodEntry meshless_entry() {
           "hierarchical radiosity on scattered points: Shepard multilevel basis, adaptive gathers, Neumann bounces",
           "Lehtinen, Zwicker, Kontkanen, Turquin, Sillion, Aila: Meshless Finite Elements for Hierarchical Global "
           "Illumination, TML-B7, Helsinki University of Technology 2007",
-          "C<D>*[<LO>]",
+          "C.{0,1}[LOB]|CDD+[LOB]",
           settings_schema(),
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Meshless>(settings_from(parameters));

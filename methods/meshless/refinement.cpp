@@ -25,8 +25,8 @@ class Refinement {
         values_(values),
         rule_(rule),
         task_(task),
-        point_values_(hierarchy),
-        coefficients_(hierarchy),
+        point_values_(hierarchy, rule.channels),
+        coefficients_(hierarchy, rule.channels),
         asked_(hierarchy.size(), 0),
         deviation_(hierarchy.size(), 0.0F) {}
 

@@ -24,6 +24,7 @@ struct RefinementRule {
   double solution_mean = 0.0;    ///< mean over the coarsest samples of what was accumulated before, W/m²
   double previous_mean = 0.0;    ///< likewise of the term of the series before this one; 0: this is not a series
   int terms_left = 0;            ///< terms of the series still to come
+  int channels = 3;              ///< 1: all three are equal
 };
 
 /// The coefficients of a function (Eq. 10), refined from coarse to fine. The levels up to full_level are computed

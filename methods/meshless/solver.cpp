@@ -64,11 +64,13 @@ Convergence judge(const Coefficients& last, const Coefficients& before, const Co
 
 class Solver {
  public:
-  Solver(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings, Task& task)
+  Solver(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings, int channels,
+         Task& task)
       : world_(world),
         transport_(transport),
         light_(light),
         settings_(settings),
+        channels_(channels),
         task_(task),
         gatherer_(world, settings.rays),
         coarsest_gatherer_(world, std::max(settings.rays, settings.coarsest_rays)) {
@@ -135,6 +137,7 @@ class Solver {
     rule.noise_guard = settings_.noise_guard;
     rule.corrections = settings_.corrections;
     rule.solution_mean = solution_mean;
+    rule.channels = channels_;
     return rule;
   }
 
@@ -185,6 +188,7 @@ class Solver {
   const Transport& transport_;
   const DirectLight& light_;
   const Settings& settings_;
+  int channels_;
   Task& task_;
   Gatherer gatherer_, coarsest_gatherer_;
   double direct_mean_ = 0.0;
@@ -200,12 +204,12 @@ void add_scaled(Coefficients& sum, const Coefficients& term, const Rgb& factor) 
 /// The Neumann series after direct light: i_{j+1} = T i_j, b = Σ i_j.
 class Series {
  public:
-  Series(Solver& solver, const Settings& settings, std::optional<int> max_bounces, Task& task)
-      : solver_(solver), settings_(settings), max_bounces_(max_bounces), task_(task) {}
+  Series(Solver& solver, const Settings& settings, const Wanted& wanted, Task& task)
+      : solver_(solver), settings_(settings), max_bounces_(wanted.max_bounces), channels_(wanted.channels), task_(task) {}
 
   void run(const Coefficients* direct, const Hierarchy& hierarchy, Solution& solution) {
     const int bound = max_bounces_ ? std::min(*max_bounces_, settings_.bounces) : settings_.bounces;
-    Coefficients sum(hierarchy);
+    Coefficients sum(hierarchy, channels_);
     Coefficients last = direct != nullptr ? solver_.bounce(solver_.sender_of(*direct), 1, bound, 0.0, mean_of(*direct))
                                           : solver_.bounce(solver_.direct_sender(), 1, bound, 0.0, solver_.direct_mean());
     add_scaled(sum, last, Rgb(1.0F));
@@ -265,23 +269,24 @@ class Series {
   Solver& solver_;
   const Settings& settings_;
   std::optional<int> max_bounces_;
+  int channels_;
   Task& task_;
 };
 
 }  // namespace
 
 Solution solve(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings,
-               std::optional<int> max_bounces, bool indirect, Task& task) {
+               const Wanted& wanted, Task& task) {
   Solution solution;
-  Solver solver(world, transport, light, settings, task);
+  Solver solver(world, transport, light, settings, wanted.channels, task);
   std::optional<Coefficients> direct;
-  if (settings.direct == DirectAnswer::basis || (indirect && solver.first_bounce_from_basis())) {
+  if (settings.direct == DirectAnswer::basis || (wanted.indirect && solver.first_bounce_from_basis())) {
     direct.emplace(solver.direct());
     task.progress("direct light", 0.1);
   }
   if (settings.direct == DirectAnswer::basis) solution.direct.emplace(*direct);
-  if (indirect && !task.cancelled())
-    Series(solver, settings, max_bounces, task)
+  if (wanted.indirect && !task.cancelled())
+    Series(solver, settings, wanted, task)
         .run(solver.first_bounce_from_basis() ? &*direct : nullptr, transport.hierarchy, solution);
   return solution;
 }

@@ -29,10 +29,17 @@ struct Solution {
   std::size_t bytes() const { return (indirect ? indirect->bytes() : 0) + (direct ? direct->bytes() : 0); }
 };
 
-/// Solves for the irradiance on the surfaces. At most `max_bounces` reflections between a light and the surface
-/// asked about where that is given. Ends when the bounces left out hold less than settings.residual of the solution,
+/// What of the solution is wanted.
+struct Wanted {
+  std::optional<int> max_bounces;  ///< reflections between a light and the surface asked about
+  bool indirect = true;
+  int channels = 3;  ///< 1: surfaces and lights are grey
+};
+
+/// Solves for the irradiance on the surfaces. At most wanted.max_bounces reflections where that is
+/// given. Ends when the bounces left out hold less than settings.residual of the solution,
 /// judged from the ratio of the last two; counts basis functions, gathers and evaluations in the task.
 Solution solve(const World& world, const Transport& transport, const DirectLight& light, const Settings& settings,
-               std::optional<int> max_bounces, bool indirect, Task& task);
+               const Wanted& wanted, Task& task);
 
 }  // namespace gibench::meshless

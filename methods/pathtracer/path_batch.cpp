@@ -15,9 +15,9 @@ constexpr float most_survival = 0.998F;    // … with this probability to go on
 
 }  // namespace
 
-PathBatch::PathBatch(const PathScene& scene, const SceneLights& lights, const Settings& settings, const PathBounds& bounds,
-                     RayStream& rays)
-    : scene_(scene), lights_(lights), settings_(settings), bounds_(bounds), rays_(rays) {
+PathBatch::PathBatch(const PathScene& scene, const SceneLights& lights, const PathRules& rules, const Settings& settings,
+                     const PathBounds& bounds, RayStream& rays)
+    : scene_(scene), lights_(lights), rules_(rules), settings_(settings), bounds_(bounds), rays_(rays) {
   paths_.reserve(capacity);
   ray_.reserve(capacity);
   pending_.reserve(capacity);
@@ -30,7 +30,7 @@ void PathBatch::trace(const AskedSurface& asked, std::span<const PathRandom> ran
   random_ = random;
   light_ = light;
   std::fill(light.begin(), light.end(), PathLight());
-  if (!asked.lit || lights_.empty()) return;
+  if (!asked.lit || lights_.empty() || rules_.nothing()) return;
   start(asked);
   const int last = bounds_.indirect ? bounds_.most_reflections : 0;
   for (int reflection = 0; reflection <= last && !paths_.empty(); ++reflection) {
@@ -56,7 +56,8 @@ void PathBatch::trace_openness(const AskedSurface& asked, std::span<const PathRa
 void PathBatch::start(const AskedSurface& asked) {
   paths_.clear();
   for (std::uint32_t number = 0; number < random_.size(); ++number) {
-    Path path{asked.position, asked.normal, asked.origin, asked.out, &asked.bsdf, Rgb(asked.factor), 1.0F, 0.0F, number};
+    Path path{asked.position,    asked.normal, asked.origin, asked.out, &asked.bsdf,
+              Rgb(asked.factor), 1.0F,         0.0F,         number,    PathAutomaton::start};
     if (asked.draws_out) path.out = Frame(asked.normal).to_world(cosine_hemisphere(random_[number].pair(0, Use::out).unit()));
     paths_.push_back(path);
   }
@@ -73,7 +74,8 @@ void PathBatch::sample_lights(int reflection, std::uint32_t light_sample) {
     add_light_sample(path, lights_.sample(path.position, path.normal, random.pair(reflection, Use::light_choice, light_sample).x,
                                           random.pair(reflection, Use::light_place, light_sample).unit()));
   }
-  rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
+  if (rules_.tests_visibility()) rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
+  else std::fill_n(occluded_.begin(), ray_.size(), std::uint8_t{0});
   for (std::size_t i = 0; i < ray_.size(); ++i) {
     if (occluded_[i]) continue;
     PathLight& light = light_[pending_number_[i]];
@@ -81,15 +83,23 @@ void PathBatch::sample_lights(int reflection, std::uint32_t light_sample) {
   }
 }
 
+/// Each lobe's light counts where the path that it ends does; both weigh against a walk by the lobes that may walk.
 void PathBatch::add_light_sample(const Path& path, const LightSample& light) {
   if (!(light.pdf > 0.0F)) return;
+  const PathEvent event = light.delta ? PathEvent::light : light.at_infinity ? PathEvent::background : PathEvent::emitter;
+  const Lobes lit = rules_.lit_lobes(path.state, *path.bsdf, event);
+  if (lit == Lobes::none) return;
   const Frame frame(path.normal);
-  const Vec3 in = frame.to_local(light.direction);
-  const BsdfValue value = path.bsdf->evaluate(frame.to_local(path.out), in);
+  const Vec3 in = frame.to_local(light.direction), out = frame.to_local(path.out);
+  const Lobes walking = rules_.walking_lobes(path.state, *path.bsdf);
+  LobeValues values = path.bsdf->evaluate_lobes(out, in, walking | lit);
+  if (!contains(lit, Lobes::diffuse)) values.diffuse = Rgb();
+  if (!contains(lit, Lobes::specular)) values.specular = Rgb();
   const auto samples = static_cast<float>(settings_.light_samples);
   const float density = samples * light.pdf;
-  const float weight = light.delta ? 1.0F : power_heuristic(density, value.pdf);
-  const Rgb contribution = path.throughput * value.value * light.radiance * (in.z * weight / density);
+  // A light that rays can meet counts by no lobe that may not walk, so that the density is that of the walk.
+  const float weight = light.delta ? 1.0F : power_heuristic(density, values.pdf);
+  const Rgb contribution = path.throughput * (values.diffuse + values.specular) * light.radiance * (in.z * weight / density);
   if (is_black(contribution)) return;
   ray_.push_back(light.shadow_ray(path.origin));
   pending_.push_back(contribution);
@@ -105,9 +115,13 @@ void PathBatch::scatter(int reflection) {
     const PathRandom& random = random_[path.number];
     const Vec2 choices = random.pair(reflection, Use::lobe_and_roulette).unit();
     const Frame frame(path.normal);
-    const BsdfSample sample =
-        path.bsdf->sample(frame.to_local(path.out), choices.x, random.pair(reflection, Use::direction).unit());
-    path.throughput *= sample.weight;
+    const Vec3 out = frame.to_local(path.out);
+    const Lobes lobes = rules_.walking_lobes(path.state, *path.bsdf);
+    const BsdfSample sample = path.bsdf->sample(out, choices.x, random.pair(reflection, Use::direction).unit(), lobes);
+    if (is_black(sample.weight)) continue;
+    const auto state = path.state;
+    const bool tell_apart = lobes == Lobes::both && rules_.after_diffuse(state) != rules_.after_specular(state, *path.bsdf);
+    take_lobe(path, sample, lobes, out, tell_apart ? random.pair(reflection, Use::lobe_class).unit().x : 0.0F);
     if (is_black(path.throughput)) continue;
     if (reflection == 0) path.scale = largest(path.throughput);
     if (!survives(path, reflection, choices.y)) continue;
@@ -116,6 +130,24 @@ void PathBatch::scatter(int reflection) {
     paths_[kept++] = path;
   }
   paths_.resize(kept);
+}
+
+/// Weighs the path and tells it which lobe scattered. Where that makes a difference, it is drawn for the direction that was
+/// sampled, each lobe with its share of the value there: the walk by either is estimated without bias.
+void PathBatch::take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, const Vec3& out, float random) const {
+  const auto diffuse = rules_.after_diffuse(path.state), specular = rules_.after_specular(path.state, *path.bsdf);
+  if (lobes != Lobes::both || diffuse == specular || path.bsdf->is_diffuse() || sample.delta) {
+    const bool by_specular = lobes == Lobes::specular || sample.delta;
+    path.throughput *= sample.weight;
+    path.state = by_specular ? specular : diffuse;
+    return;
+  }
+  const LobeValues values = path.bsdf->evaluate_lobes(out, sample.in, lobes);
+  const float share = largest(values.diffuse) / (largest(values.diffuse) + largest(values.specular));
+  const bool is_diffuse = random < share;
+  const float probability = is_diffuse ? share : 1.0F - share;
+  path.throughput *= (is_diffuse ? values.diffuse : values.specular) * (sample.in.z / (sample.pdf * probability));
+  path.state = is_diffuse ? diffuse : specular;
 }
 
 /// Russian roulette on the throughput relative to the first vertex's (Arvo and Kirk 1990): a survivor carries more.
@@ -137,12 +169,12 @@ void PathBatch::arrive(int reflection) {
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     Path path = paths_[i];
     const Vec3& direction = ray_[i].direction;
-    if (wanted) {
+    if (wanted && rules_.accepts(path.state, hit_[i] ? PathEvent::emitter : PathEvent::background)) {
       const Rgb met = hit_[i] ? emission_met(path, hit_[i], direction) : environment_met(path, direction);
       PathLight& light = light_[path.number];
       (reflection == 0 ? light.direct : light.indirect) += path.throughput * met;
     }
-    if (hit_[i] && reach(path, hit_[i], direction)) paths_[kept++] = path;
+    if (hit_[i] && rules_.goes_on(path.state) && reach(path, hit_[i], direction)) paths_[kept++] = path;
   }
   paths_.resize(kept);
 }

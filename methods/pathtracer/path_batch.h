@@ -10,6 +10,7 @@
 #include "common/ray/ray_stream.h"
 #include "methods/pathtracer/asked_surface.h"
 #include "methods/pathtracer/path_random.h"
+#include "methods/pathtracer/path_rules.h"
 #include "methods/pathtracer/path_scene.h"
 #include "methods/pathtracer/settings.h"
 
@@ -31,8 +32,8 @@ class PathBatch {
  public:
   static constexpr std::size_t capacity = 256;  ///< paths
 
-  PathBatch(const PathScene& scene, const SceneLights& lights, const Settings& settings, const PathBounds& bounds,
-            RayStream& rays);
+  PathBatch(const PathScene& scene, const SceneLights& lights, const PathRules& rules, const Settings& settings,
+            const PathBounds& bounds, RayStream& rays);
 
   /// Traces one path for each of `random` (at most `capacity`); `light` is as long.
   void trace(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light);
@@ -50,12 +51,14 @@ class PathBatch {
     float scale = 1.0F;  ///< largest channel of the throughput after the first vertex
     float pdf = 0.0F;    ///< with which the ray that leaves was drawn, 1/sr; 0: by a mirror
     std::uint32_t number = 0;
+    PathRules::State state = PathAutomaton::start;  ///< before the newest vertex scatters
   };
 
   void start(const AskedSurface& asked);
   void sample_lights(int reflection, std::uint32_t light_sample);
   void add_light_sample(const Path& path, const LightSample& light);
   void scatter(int reflection);
+  void take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, const Vec3& out, float random) const;
   bool survives(Path& path, int reflection, float random) const;
   void arrive(int reflection);
   bool reach(Path& path, const Hit& hit, const Vec3& direction);
@@ -64,6 +67,7 @@ class PathBatch {
 
   const PathScene& scene_;
   const SceneLights& lights_;
+  const PathRules& rules_;
   const Settings settings_;
   const PathBounds bounds_;
   RayStream& rays_;

@@ -8,7 +8,7 @@
 namespace gibench::pathtracer {
 
 /// What a pair of numbers is for; light samples after the first take the pairs that follow.
-enum class Use : std::uint32_t { direction, lobe_and_roulette, out, light_place, light_choice };
+enum class Use : std::uint32_t { direction, lobe_and_roulette, out, light_place, light_choice, lobe_class = 192 };
 
 class PathRandom {
  public:

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "common/effects/scene_facts.h"
+#include "methods/pathtracer/path_rules.h"
 #include "methods/pathtracer/shade_job.h"
 
 namespace gibench {
@@ -20,23 +22,31 @@ class PathTracer final : public TransportMethod {
     can.quantities = {Quantity::radiance, Quantity::irradiance, Quantity::radiosity, Quantity::accessibility};
     can.variance = settings_.replicates >= 2 && settings_.samples >= 2;
     can.relights = true;
+    can.any_light_paths = true;
     return can;
   }
   std::size_t bytes() const override { return (scene_ ? scene_->bytes() : 0) + (lights_ ? lights_->bytes() : 0); }
 
  private:
   void do_prepare(Task&, StageReport&) override { scene_ = std::make_unique<PathScene>(world()); }
-  void do_light(const Lighting& lighting, Task&, StageReport&) override {
+  void do_light(const Lighting& lighting, Task&, StageReport& report) override {
     lights_ = std::make_unique<SceneLights>(world(), lighting);
+    const PathEvents events = SceneFacts(world(), lighting).events;
+    rules_ = std::make_unique<PathRules>(PathAutomaton(light_paths(plan())).restricted_to(events), tests_visibility());
+    if (rules_->nothing() && !lights_->empty()) report.message = "no light path of the scene is among those to simulate";
+  }
+  std::string do_light_paths(const EffectPlan& plan, const BounceRange& range) const override {
+    return plan.light_paths.empty() ? light_paths_of(plan, false, range) : plan.light_paths;
   }
   void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
     if (request.samples.empty()) return;
-    ShadeJob(*scene_, *lights_, settings_, plan().max_bounces, request, answer, task).run();
+    ShadeJob(*scene_, *lights_, *rules_, settings_, plan(), request, answer, task).run();
   }
 
   Settings settings_;
   std::unique_ptr<PathScene> scene_;
   std::unique_ptr<SceneLights> lights_;
+  std::unique_ptr<PathRules> rules_;
 };
 
 }  // namespace

@@ -17,10 +17,11 @@ constexpr std::uint64_t most_tile_values = 4096;
 
 }  // namespace
 
-ShadeJob::ShadeJob(const PathScene& scene, const SceneLights& lights, const Settings& settings,
-                   std::optional<int> most_reflections, const ShadeRequest& request, const ShadeAnswer& answer, Task& task)
+ShadeJob::ShadeJob(const PathScene& scene, const SceneLights& lights, const PathRules& rules, const Settings& settings,
+                   const EffectPlan& plan, const ShadeRequest& request, const ShadeAnswer& answer, Task& task)
     : scene_(scene),
       lights_(lights),
+      rules_(rules),
       settings_(settings),
       request_(request),
       answer_(answer),
@@ -28,8 +29,8 @@ ShadeJob::ShadeJob(const PathScene& scene, const SceneLights& lights, const Sett
       units_per_value_((settings.samples + unit_paths - 1) / unit_paths) {
   const bool total = !answer.total_variance.empty();
   bounds_.direct = total || !answer.direct.empty() || !answer.direct_variance.empty();
-  bounds_.indirect = total || !answer.indirect.empty() || !answer.indirect_variance.empty();
-  bounds_.most_reflections = most_reflections.value_or(std::numeric_limits<int>::max() - 1);
+  bounds_.indirect = !plan.skips_indirect() && (total || !answer.indirect.empty() || !answer.indirect_variance.empty());
+  bounds_.most_reflections = plan.max_bounces.value_or(std::numeric_limits<int>::max() - 1);
 }
 
 void ShadeJob::run() {
@@ -48,7 +49,7 @@ void ShadeJob::run_tile(std::uint64_t first_value, std::uint64_t values) {
   const std::uint64_t chunk_units = std::max<std::uint64_t>(1, unit_paths / settings_.samples);
   task_.parallel_chunks(units, chunk_units, [&](const ChunkRange& range) {
     RayStream rays = task_.rays(scene_.world);
-    PathBatch batch(scene_, lights_, settings_, bounds_, rays);
+    PathBatch batch(scene_, lights_, rules_, settings_, bounds_, rays);
     for (std::uint64_t unit = range.begin; unit < range.end; ++unit)
       trace_unit(first_value + unit / units_per_value_, unit % units_per_value_, batch, &sums_[unit * replicates]);
   });
@@ -91,7 +92,7 @@ void ShadeJob::write(std::uint64_t value, const ReplicateSum* sums, std::vector<
   ValueEstimate result = estimate(replicates);
   const AskedSurface asked(scene_, lights_, request_.quantity, request_.samples[value],
                            request_.quantity == Quantity::radiance ? request_.toward_viewer[value] : Vec3(0.0F));
-  if (asked.lit) result.direct += RgbDouble(asked.emitted);
+  if (asked.lit && rules_.accepts(PathAutomaton::start, PathEvent::emitter)) result.direct += RgbDouble(asked.emitted);
   const auto put = [&](std::span<Rgb> values, const RgbDouble& one) {
     if (!values.empty()) values[value] = Rgb(one);
   };

@@ -14,8 +14,8 @@ namespace gibench::pathtracer {
 /// request and the settings alone, never on the threads.
 class ShadeJob {
  public:
-  ShadeJob(const PathScene& scene, const SceneLights& lights, const Settings& settings, std::optional<int> most_reflections,
-           const ShadeRequest& request, const ShadeAnswer& answer, Task& task);
+  ShadeJob(const PathScene& scene, const SceneLights& lights, const PathRules& rules, const Settings& settings,
+           const EffectPlan& plan, const ShadeRequest& request, const ShadeAnswer& answer, Task& task);
 
   /// Writes the answer; stops early, values unwritten, once the task is cancelled.
   void run();
@@ -27,6 +27,7 @@ class ShadeJob {
 
   const PathScene& scene_;
   const SceneLights& lights_;
+  const PathRules& rules_;
   const Settings& settings_;
   const ShadeRequest& request_;
   const ShadeAnswer& answer_;

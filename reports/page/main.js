@@ -26,6 +26,7 @@
 
   function show() {
     sections.across(chosen);
+    sections.split(chosen);
     study.scenes.forEach((scene, index) => sections.sceneResults(scene, frames[index], chosen));
     document.body.dataset.key = String(chosen);
   }
@@ -59,7 +60,7 @@
   }
 
   function contents() {
-    const links = [["across", "Across scenes"], ...study.scenes.map((scene) => [scene.slug, scene.name]), ["effects", "Effects"], ["failures", "Without an answer"], ["definitions", "Definitions"], ["manifest", "Manifest"]];
+    const links = [["across", "Across scenes"], ["split", "Error split"], ...study.scenes.map((scene) => [scene.slug, scene.name]), ["effects", "Effects"], ["failures", "Without an answer"], ["definitions", "Definitions"], ["manifest", "Manifest"]];
     document.getElementById("contents").append(...links.map(([id, text]) => element("li", {}, element("a", { href: `#${id}` }, text))));
   }
 
@@ -72,5 +73,6 @@
   }
   drawChoice();
   show();
+  sections.effects();
   sections.fixedSections();
 })();

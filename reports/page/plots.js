@@ -135,5 +135,22 @@
     });
   }
 
-  gibench.plotting = { errorPlot, errorPoints, rankingPlot, stagesPlot };
+  // Both parts of every run's error; runs whose light paths are complete have the one.
+  function splitPlot(study, templates, key, width) {
+    const entry = study.keys[key], metric = study.metrics[entry.metric];
+    const points = study.splits[key].points
+      .filter((p) => !metric.logarithmic || p.y > 0)
+      .map((p) => ({ ...p, row: `${p.scene}: ${p.run}`, low: p.low === undefined ? null : Math.max(p.low, metric.logarithmic ? p.y / 50 : -Infinity), high: p.high ?? null }));
+    const values = points.flatMap((p) => [p.y, p.high ?? p.y]);
+    // What is all but nothing stands at the left edge, and leaves the rest its room.
+    const least = Math.max(...values) / 1e4;
+    const domain = metric.logarithmic ? logDomain(values.map((value) => Math.max(value, least)), 1.5) : linearDomain(values);
+    const order = [...new Set(points.map((p) => p.row))];
+    return fill(templates["error-split"], {
+      width, height: 24 * order.length, config: config(width), points, order, domain, scale: metric.logarithmic ? "log" : "linear",
+      ticks: metric.logarithmic ? logTicks(domain) : null, format: metric.percent ? "~%" : "~g", title: entry.axis,
+    });
+  }
+
+  gibench.plotting = { errorPlot, errorPoints, rankingPlot, splitPlot, stagesPlot };
 })(globalThis.gibench ?? (globalThis.gibench = {}));

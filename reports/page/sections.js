@@ -105,10 +105,6 @@
   }
 
   function fixedSections() {
-    document.getElementById("effects").append(element("h2", { id: "effects-title" }, "Effects"),
-      element("p", { class: "lead" }, "● simulated: the scene calls for it and the method computes it. ✕ missing: the scene calls for it, the method cannot do it, and its picture lacks it. ○ skipped: the scene does not call for it, so no time was spent on it."),
-      table(study.effect_matrix, { methodColumn: 1 }),
-      element("details", { class: "block" }, element("summary", {}, "Why each effect was skipped or is missing"), table(study.effects, { methodColumn: 1 })));
     document.getElementById("failures").append(element("h2", { id: "failures-title" }, "Without an answer"),
       study.failures.rows.length ? table(study.failures) : element("p", {}, "Every run of the study came to its end."));
     document.getElementById("definitions").append(element("h2", { id: "definitions-title" }, "Definitions"),
@@ -123,5 +119,5 @@
       document.getElementById("warnings").append(element("div", { class: "notice", role: "note" }, element("p", {}, "While this report was made:"), element("ul", {}, study.warnings.map((text) => element("li", {}, text)))));
   }
 
-  gibench.sections = { across, sceneFrame, sceneResults, fixedSections };
+  gibench.sections = { across, plot, sceneFrame, sceneResults, fixedSections };
 })();

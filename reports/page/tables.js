@@ -2,11 +2,11 @@
 "use strict";
 (function () {
   const { element } = gibench;
-  const marks = { simulated: "●", missing: "✕", skipped: "○", done: "✓" };
+  const marks = { simulated: "●", missing: "✕", skipped: "○", done: "✓", "called-for": "●", "not-called-for": "○", "not-allowed": "–" };
 
   function cell(text, column) {
-    const key = text.replace(" ", "-");
-    const status = ["simulated", "missing", "skipped", "done", "refused", "timed-out", "crashed", "failed"].includes(key);
+    const key = text.replaceAll(" ", "-");
+    const status = ["simulated", "missing", "skipped", "called-for", "not-called-for", "not-allowed", "done", "refused", "timed-out", "crashed", "failed"].includes(key);
     if (!status) return element("td", { class: column.number ? "number" : null }, text);
     return element("td", { class: column.number ? "number" : null },
       element("span", { class: `mark ${key}` }, element("span", { "aria-hidden": "true" }, (marks[key] ?? "▲") + " "), text));

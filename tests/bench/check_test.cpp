@@ -12,7 +12,7 @@ TEST(Check, TellsGeometryEffectsAndEveryMethodsPlan) {
   const auto check = outcome.json();
   EXPECT_EQ(check["scene"], "room");
   EXPECT_EQ(check["geometry"]["faces"], 7);
-  ASSERT_EQ(check["effects"].size(), 6U);
+  ASSERT_EQ(check["effects"].size(), 8U);
   EXPECT_EQ(check["effects"][0]["effect"], "direct");
   EXPECT_TRUE(check["effects"][0]["called_for"].get<bool>());
   EXPECT_THAT(check["effects"][0]["evidence"].get<std::string>(), testing::HasSubstr("lamp"));
@@ -30,6 +30,30 @@ TEST(Check, SaysTheSameForPeople) {
 TEST(Check, NoBouncesSkipIndirectLight) {
   const auto check = Workshop().gibench({"check", "room.scene.json", "--bounces", "0", "--json"}).json();
   EXPECT_FALSE(check["effects"][1]["called_for"].get<bool>());
+}
+
+TEST(Check, TellsThePlanThatAUserAsksFor) {
+  const Workshop shop;
+  const auto check =
+      shop.gibench({"check", "room.scene.json", "--effects", "direct,environment", "--tolerance", "0.1", "--json"}).json();
+  EXPECT_TRUE(check["bounce_bound"]["binds"].get<bool>());
+  EXPECT_THAT(check["bounce_bound"]["evidence"].get<std::string>(), testing::HasSubstr("albedo"));
+  EXPECT_EQ(check["changes"], "none");
+  EXPECT_LT(check["analysis_seconds"].get<double>(), 10.0);
+  for (const auto& method : check["methods"]) {
+    EXPECT_EQ(method["light_paths"], "C.{0,1}[LOB]");
+    EXPECT_FALSE(method["complete"].get<bool>());
+  }
+  const auto one = shop.gibench({"check", "room.scene.json", "--method", "meshless", "--set", "direct=basis", "--json"}).json();
+  ASSERT_EQ(one["methods"].size(), 1U);
+  EXPECT_TRUE(one["methods"][0]["complete"].get<bool>()) << "nothing in the room is glossy";
+}
+
+TEST(Check, UnknownEffectsAndStraySettingsAreBadInput) {
+  const Workshop shop;
+  expect_bad_input(shop.gibench({"check", "room.scene.json", "--effects", "direct,magic"}),
+                   {"--effects", "'magic'", "known:", "glossy_chain"});
+  expect_bad_input(shop.gibench({"check", "room.scene.json", "--set", "rays=4"}), {"--set", "--method"});
 }
 
 TEST(Check, EveryWrongSceneGetsOneLineWithPlaceAndMend) {

@@ -35,11 +35,79 @@ TEST(Run, WritesARecordAPictureAndALog) {
     EXPECT_TRUE(result["seconds"].contains(stage)) << stage;
   EXPECT_GT(result["memory"]["peak_bytes"].get<std::uint64_t>(), 0U);
   EXPECT_GT(result["counters"]["occlusion_rays"].get<std::uint64_t>(), 0U);
-  EXPECT_EQ(result["effects"]["called_for"], (std::vector<std::string>{"direct", "diffuse_indirect", "occlusion"}));
+  EXPECT_EQ(result["effects"]["called_for"], (std::vector<std::string>{"direct", "diffuse_indirect", "occlusion", "colour"}));
+  EXPECT_EQ(result["light_paths"], "C.*[LOB]");
   EXPECT_TRUE(result["effects"]["missing"].empty());
   EXPECT_TRUE(result["termination"].is_string());
   EXPECT_FALSE(result.contains("errors")) << "what was not measured is absent";
   EXPECT_FALSE(result.contains("reference"));
+}
+
+TEST(Run, SplitsItsErrorWhereItLacksLightPaths) {
+  const Workshop shop;
+  const std::vector<std::string> reference = with({"reference", "room.scene.json", "--samples", "64", "--quiet"}, small);
+  ASSERT_EQ(shop.gibench(reference).status, 0);
+  const auto arguments = with({"run", "room.scene.json", "--method", "pathtracer", "--set", "samples=64", "--effects",
+                               "direct,environment", "--out", "out", "--force"},
+                              small);
+  const Outcome lacking = shop.gibench(arguments);
+  ASSERT_EQ(lacking.status, 0) << lacking.error;
+  EXPECT_THAT(lacking.error, HasSubstr("--light-paths 'C.{0,1}[LOB]'"));
+  EXPECT_FALSE(shop.read_json("out/result.json")["error_split"].contains("model"));
+
+  ASSERT_EQ(shop.gibench(with(reference, {"--light-paths", "C.{0,1}[LOB]"})).status, 0);
+  ASSERT_EQ(shop.gibench(arguments).status, 0);
+  const auto result = shop.read_json("out/result.json");
+  const auto& split = result["error_split"];
+  EXPECT_FALSE(split["complete"].get<bool>());
+  EXPECT_EQ(split["reference"]["path_class"], "C.{0,1}[LOB]");
+  const auto& model = split["model"]["indirect"]["surface"]["relative_rmse"];
+  EXPECT_GT(model["value"].get<double>(), 1.0) << "all of the indirect light, against its mean";
+  EXPECT_TRUE(model.contains("ci95") && model.contains("noise_floor"));
+  EXPECT_LT(split["model"]["direct"]["surface"]["rmse"]["value"].get<double>(), 1e-6) << "the two share their random numbers";
+  EXPECT_LT(split["discretisation"]["total"]["surface"]["rmse"]["value"].get<double>(),
+            result["errors"]["total"]["surface"]["rmse"]["value"].get<double>());
+
+  const Outcome all =
+      shop.gibench(with({"run", "room.scene.json", "--method", "pathtracer", "--set", "samples=16", "--out", "all"}, small));
+  ASSERT_EQ(all.status, 0);
+  EXPECT_TRUE(shop.read_json("all/result.json")["error_split"]["complete"].get<bool>());
+}
+
+TEST(Run, TellsItsErrorsBounceByBounceOnRequest) {
+  const Workshop shop;
+  const std::vector<std::string> reference = with({"reference", "room.scene.json", "--samples", "16", "--quiet"}, small);
+  for (const std::string paths : {"", "C.{0,1}[LOB]", "C..{1,1}[LOB]"})
+    ASSERT_EQ(shop.gibench(paths.empty() ? reference : with(reference, {"--light-paths", paths})).status, 0);
+  const Outcome outcome = shop.gibench(with(
+      {"run", "room.scene.json", "--method", "pathtracer", "--set", "samples=16", "--per-bounce", "2", "--out", "out"}, small));
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_THAT(outcome.error, HasSubstr("--light-paths 'C..{2,2}[LOB]'"));
+  const auto bounces = shop.read_json("out/result.json")["errors_per_bounce"];
+  ASSERT_EQ(bounces.size(), 2U);
+  EXPECT_TRUE(bounces[1]["complete"].get<bool>());
+  EXPECT_TRUE(bounces[1]["discretisation"]["indirect"]["surface"].contains("relative_rmse"));
+}
+
+TEST(Run, APlanThatLeavesNothingIsSaidAndNoError) {
+  const Workshop shop;
+  const Outcome outcome = shop.gibench(with(
+      {"run", "room.scene.json", "--method", "pathtracer", "--effects", "none", "--reference", "none", "--out", "out"}, small));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.error, HasSubstr("nothing to simulate"));
+  EXPECT_EQ(shop.read_json("out/result.json")["light_paths"], "C[^.]");
+}
+
+TEST(Run, WrongPlansAreTold) {
+  const Workshop shop;
+  expect_bad_input(shop.gibench({"run", "room.scene.json", "--method", "pathtracer", "--effects", "magic"}),
+                   {"--effects", "'magic'", "known:", "diffuse_indirect"});
+  expect_bad_input(shop.gibench({"run", "room.scene.json", "--method", "pathtracer", "--light-paths", "C(D"}),
+                   {"C(D", "position 4", "expected ')'"});
+  expect_bad_input(shop.gibench({"reference", "room.scene.json", "--light-paths", "CX"}), {"position 2", "expected an event"});
+  expect_bad_input(
+      shop.gibench({"run", "room.scene.json", "--method", "meshless", "--light-paths", "CD*L", "--reference", "none"}),
+      {"--light-paths", "meshless"});
 }
 
 TEST(Run, WithoutAReferenceItSaysHowToMakeOneAndMakesNone) {
@@ -147,7 +215,7 @@ TEST(Run, WithoutLightThereIsNothingToSimulateAndThePictureIsBlack) {
   const auto result =
       shop.gibench(with({"run", "dark.scene.json", "--method", "pathtracer", "--reference", "none", "--json"}, small)).json();
   EXPECT_TRUE(result["effects"]["simulated"].empty());
-  EXPECT_EQ(result["effects"]["skipped"].size(), 6U);
+  EXPECT_EQ(result["effects"]["skipped"].size(), 8U);
   EXPECT_FALSE(result["counters"].contains("occlusion_rays")) << result["counters"];
   EXPECT_FALSE(result["counters"].contains("closest_hit_rays")) << result["counters"];
 }

@@ -1,5 +1,6 @@
 #include "tests/contract/ambient_method.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <limits>
@@ -27,7 +28,7 @@ class AmbientMethod : public TransportMethod {
     Capabilities can;
     can.effects = {Effect::direct, Effect::diffuse_indirect, Effect::environment, Effect::occlusion};
     can.quantities = {Quantity::radiance, Quantity::irradiance};
-    can.direct = false;
+    can.direct = is(Defect::works_for_nothing);  // then the plan never spares it a call
     can.variance = defect_ == Defect::claims_negative_variance;
     can.relights = true;
     return can;
@@ -52,7 +53,15 @@ class AmbientMethod : public TransportMethod {
       albedo_ += world().scene().material_of_object(point.object).diffuse / static_cast<float>(points_.size());
     if (is(Defect::reflects_off_black))
       for (int channel = 0; channel < 3; ++channel) albedo_[channel] = std::max(albedo_[channel], 0.01F);
+    if (is(Defect::looks_for_what_hides) || is(Defect::works_for_nothing)) {
+      RayStream rays = task.rays(world());
+      for (const SurfaceSample& point : points_) rays.occluded({world().ray_origin(point), 0.0F, point.normal});
+    }
     task.progress("points", 1.0);
+  }
+
+  std::string do_light_paths(const EffectPlan& plan, const BounceRange& range) const override {
+    return is(Defect::misnames_its_paths) ? "C.*[LOB]" : light_paths_of(plan, true, range);
   }
 
   void do_light(const Lighting& lighting, Task& task, StageReport&) override {
@@ -97,6 +106,7 @@ class AmbientMethod : public TransportMethod {
 
   void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task&, StageReport&) const override {
     for (std::size_t i = 0; i < answer.indirect.size(); ++i) answer.indirect[i] = value(request, i);
+    std::fill(answer.direct.begin(), answer.direct.end(), Rgb());
     for (std::span<Rgb> variance : {answer.direct_variance, answer.indirect_variance, answer.total_variance})
       for (Rgb& one : variance) one = Rgb(-1.0F);
     if (is(Defect::leaves_a_gap) && !answer.indirect.empty())
@@ -145,7 +155,7 @@ constexpr auto makers(std::index_sequence<defects...>) {
 }  // namespace
 
 MethodEntry ambient_method(Defect defect) {
-  constexpr auto all = makers(std::make_index_sequence<static_cast<std::size_t>(Defect::keeps_what_was_cancelled) + 1>());
+  constexpr auto all = makers(std::make_index_sequence<static_cast<std::size_t>(Defect::misnames_its_paths) + 1>());
   return {"ambient", "one mean value for the whole scene", "the geometric series", "C(<RD>|L)",
           schema(),  all[static_cast<std::size_t>(defect)]};
 }

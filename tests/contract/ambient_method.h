@@ -31,6 +31,9 @@ enum class Defect {
   draws_unkeyed_numbers,     ///< a random number that no seed fixes
   works_on_when_cancelled,   ///< in its loops
   keeps_what_was_cancelled,  ///< as if it had been finished
+  looks_for_what_hides,      ///< where nothing does
+  works_for_nothing,         ///< as if there were always something to light
+  misnames_its_paths,        ///< as more than it computes
 };
 
 MethodEntry ambient_method(Defect defect = Defect::none);

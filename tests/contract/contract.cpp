@@ -6,7 +6,7 @@
 namespace gibench::contract {
 
 std::span<const Check> all_checks() {
-  static constexpr std::array<Check, 15> checks{{
+  static constexpr std::array<Check, 20> checks{{
       {"DoublingTheLightDoublesTheAnswer", verify_doubling_the_light_doubles_the_answer},
       {"TwoLightsAdd", verify_two_lights_add},
       {"NoLightGivesBlack", verify_no_light_gives_black},
@@ -17,6 +17,11 @@ std::span<const Check> all_checks() {
       {"BounceBounds", verify_bounce_bounds},
       {"EveryValueIsWrittenAndFinite", verify_every_value_is_written_and_finite},
       {"RefusalsAreTexts", verify_refusals_are_texts},
+      {"AConvexRoomNeedsNoVisibilityRays", verify_a_convex_room_needs_no_visibility_rays},
+      {"NoLightNeedsNoWork", verify_no_light_needs_no_work},
+      {"BlackWallsNeedNoIndirectWork", verify_black_walls_need_no_indirect_work},
+      {"WhatIsNotAllowedIsNotComputed", verify_what_is_not_allowed_is_not_computed},
+      {"LightPathsAreTold", verify_light_paths_are_told},
       {"SameSeedSameBits", verify_same_seed_same_bits},
       {"CancellingStopsSoon", verify_cancelling_stops_soon},
       {"TheEntryDescribesItself", verify_the_entry_describes_itself},

@@ -41,6 +41,12 @@ void verify_black_walls_give_no_indirect_light(const MethodEntry& entry);
 void verify_bounce_bounds(const MethodEntry& entry);
 void verify_every_value_is_written_and_finite(const MethodEntry& entry);
 void verify_refusals_are_texts(const MethodEntry& entry);
+// The plan: plan_checks.cpp.
+void verify_a_convex_room_needs_no_visibility_rays(const MethodEntry& entry);
+void verify_no_light_needs_no_work(const MethodEntry& entry);
+void verify_black_walls_need_no_indirect_work(const MethodEntry& entry);
+void verify_what_is_not_allowed_is_not_computed(const MethodEntry& entry);
+void verify_light_paths_are_told(const MethodEntry& entry);
 // The run: run_checks.cpp.
 void verify_same_seed_same_bits(const MethodEntry& entry);
 void verify_cancelling_stops_soon(const MethodEntry& entry);

@@ -38,9 +38,7 @@ constexpr Case cases[] = {
     {"AddsAConstant", Defect::adds_a_constant, "DoublingTheLightDoublesTheAnswer", "under 2 times the light"},
     {"DropsDimLight", Defect::drops_dim_light, "DoublingTheLightDoublesTheAnswer", "e-07 times the light"},
     {"SeesOneKindOfLight", Defect::sees_one_kind_of_light, "TwoLightsAdd", "the sum of two lights"},
-    {"GlowsWithoutLight", Defect::glows_without_light, "NoLightGivesBlack", "of a scene without lights"},
     {"PilesUpRelitLight", Defect::piles_up_relit_light, "RelightingEqualsAFreshRun", "a fresh run against a relit one"},
-    {"KeepsOldLightOn", Defect::piles_up_relit_light, "NoLightGivesBlack", "once the lights are out"},
     {"KnowsTheMetre", Defect::knows_the_metre, "ScaleInvariance", "in a room of a millimetre"},
     {"KnowsTheVertical", Defect::knows_the_vertical, "RotationInvariance", "in a room that was turned"},
     {"ReflectsOffBlack", Defect::reflects_off_black, "BlackWallsGiveNoIndirectLight", "between black walls"},
@@ -57,11 +55,21 @@ constexpr Case cases[] = {
     {"CountsItsThreads", Defect::counts_its_threads, "SameSeedSameBits", "one thread against two"},
     {"DrawsUnkeyedNumbers", Defect::draws_unkeyed_numbers, "RelightingEqualsAFreshRun", "a fresh run against a relit one"},
     {"WorksOnWhenCancelled", Defect::works_on_when_cancelled, "CancellingStopsSoon", "more rays"},
+    {"LooksForWhatHides", Defect::looks_for_what_hides, "AConvexRoomNeedsNoVisibilityRays", "occlusion rays"},
+    {"WorksWithoutLight", Defect::works_for_nothing, "NoLightNeedsNoWork", "rays were traced"},
+    {"WorksBetweenBlackWalls", Defect::works_for_nothing, "BlackWallsNeedNoIndirectWork", "rays were traced"},
+    {"MisnamesItsPaths", Defect::misnames_its_paths, "LightPathsAreTold", "more than 0 bounces"},
     {"KeepsWhatWasCancelled", Defect::keeps_what_was_cancelled, "CancellingStopsSoon", "follows a cancelled one"},
 };
 
 INSTANTIATE_TEST_SUITE_P(EveryDefect, TheContractCatches, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
+
+/// In the dark no method is asked: what it would say is not heard.
+TEST(TheInterface, AnswersForTheMethodInTheDark) {
+  EXPECT_EQ(violation_of(find_check("NoLightGivesBlack"), ambient_method(Defect::glows_without_light)), "");
+  EXPECT_EQ(violation_of(find_check("NoLightGivesBlack"), ambient_method(Defect::piles_up_relit_light)), "");
+}
 
 /// What an entry can say wrongly, and what has to be said about it.
 struct WrongEntry {
@@ -82,6 +90,7 @@ TEST_P(TheContractCatchesAnEntry, That) {
 const WrongEntry wrong_entries[] = {
     {"HasNoSummary", [](MethodEntry& e) { e.summary.clear(); }, "TheEntryDescribesItself", "summary"},
     {"HasTwoLinesOfSource", [](MethodEntry& e) { e.source = "a\nb"; }, "TheEntryDescribesItself", "source"},
+    {"HasNoLightPaths", [](MethodEntry& e) { e.light_paths = "C<D>*[<LO>]"; }, "LightPathsAreTold", "no expression"},
     {"HasNoPlainName", [](MethodEntry& e) { e.name = "Am bient"; }, "TheEntryDescribesItself", "no plain name"},
     {"TakesWhatItShouldNotKnow",
      [](MethodEntry& e) {
@@ -110,10 +119,14 @@ const WrongEntry wrong_entries[] = {
 INSTANTIATE_TEST_SUITE_P(EveryMistake, TheContractCatchesAnEntry, testing::ValuesIn(wrong_entries),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// Promises that the interface keeps whatever a method does: its tests are those of common/method.
+constexpr const char* kept_by_the_interface[] = {"NoLightGivesBlack", "WhatIsNotAllowedIsNotComputed"};
+
 /// A check without a defect to its name is a check nobody has seen fail.
 TEST(Defects, ThereIsOneForEveryCheck) {
   for (const Check& check : all_checks()) {
     bool shown = false;
+    for (const char* kept : kept_by_the_interface) shown |= std::string(kept) == check.name;
     for (const Case& one : cases) shown |= std::string(one.check) == check.name;
     for (const WrongEntry& one : wrong_entries) shown |= std::string(one.check) == check.name;
     EXPECT_TRUE(shown) << check.name;

@@ -15,7 +15,8 @@ Run::Run(const MethodEntry& entry, const World& world, const RunOptions& options
     : world_(world),
       options_(options),
       method_(entry.make(Parameters(entry.schema, entry.quick))),
-      plan_(plan_effects(analyse_effects(world, options.bounces), method_->capabilities().effects)) {}
+      plan_(plan_effects(analyse_effects(world, PlanLimits{{}, options.bounces, 0.0, options.forced}),
+                         effects_of(method_->capabilities()))) {}
 
 StageReport Run::shade(Quantity quantity, const std::vector<SurfaceSample>& samples, Answer& answer, Task& task) const {
   // Seen along the normal: the one direction that turns with the surface.

@@ -19,6 +19,7 @@ struct RunOptions {
   std::uint64_t seed = 7;
   int threads = 2;
   std::optional<int> bounces = {};
+  EffectSet forced = {};  ///< simulated though the scene does not call for it
 };
 
 /// Throws Violation where a stage does not succeed.

@@ -89,6 +89,9 @@ void verify_black_walls_give_no_indirect_light(const MethodEntry& entry) {
   for (const Quantity quantity : light_quantities(entry)) {
     const Answer answer = fresh_answer(entry, world, quantity, samples);
     require_black(answer.indirect, fmt::format("indirect {} between black walls", to_string(quantity)));
+    // The plan spares the method the question: put to it all the same.
+    const Answer own = fresh_answer(entry, world, quantity, samples, {.forced = {Effect::diffuse_indirect}});
+    require_black(own.indirect, fmt::format("indirect {} between black walls, asked for", to_string(quantity)));
     if (quantity == Quantity::irradiance && is_black(mean_of(answer.direct)))
       throw Violation("direct irradiance is black although the lights are on");
   }
@@ -103,7 +106,11 @@ void verify_bounce_bounds(const MethodEntry& entry) {
   for (const std::optional<int> bounces : {std::optional(0), std::optional(1), std::optional(3), std::optional<int>()}) {
     const Answer now = fresh_answer(entry, world, quantity, samples, {.bounces = bounces});
     const std::string what = bounces ? fmt::format("at most {} bounces", *bounces) : "any number of bounces";
-    if (bounces == 0) require_black(now.indirect, "indirect light of " + what);
+    if (bounces == 0) {
+      require_black(now.indirect, "indirect light of " + what);
+      const RunOptions asked_all_the_same{.bounces = 0, .forced = {Effect::diffuse_indirect}};
+      require_black(fresh_answer(entry, world, quantity, samples, asked_all_the_same).indirect, "indirect light of " + what);
+    }
     if (bounces == 1 && indirect && !(luminance(mean_of(now.indirect)) > 0.0))
       throw Violation("indirect light of a bright box is black with one bounce allowed");
     if (before) {

@@ -62,6 +62,50 @@ TEST_F(StudyFixture, CollectsWhatTheRecordsSay) {
   EXPECT_THAT(run.effects->missing, ElementsAre("glossy_final_bounce"));
 }
 
+const std::string& text_in(const Table& table, std::size_t row, const std::string& column) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (table.columns[c].name == column) return table.rows.at(row).at(c).text;
+  throw std::runtime_error("no column " + column);
+}
+
+TEST_F(StudyFixture, ErrorsAreSplitInTwoParts) {
+  const Study study = collect_study(folder_);
+  const ErrorKey key{"surface", "indirect", "relative_rmse"};
+  const StudyRun& meshless = run_named(study, "run-1-5");
+  EXPECT_NEAR(meshless.model_error(key)->value, 0.05, 1e-12);
+  EXPECT_NEAR(meshless.discretisation_error(key)->value, meshless.error(key)->value * 0.8, 1e-12);
+  const StudyRun& whole = run_named(study, "run-1-1");
+  EXPECT_EQ(whole.model_error(key), nullptr);
+  EXPECT_EQ(whole.discretisation_error(key), whole.error(key)) << "all light paths: all error is of the discretisation";
+  const Table split = split_table(study, key);
+  ASSERT_EQ(split.rows.size(), 18U);
+  EXPECT_THAT(text_in(split, 0, "model_error"), HasSubstr("all light paths"));
+  EXPECT_THAT(text_in(split, 4, "model_error"), HasSubstr("5.00 %"));
+  EXPECT_THAT(text_in(split, 4, "model_error"), HasSubstr("[")) << "the interval";
+  EXPECT_EQ(text_in(split, 4, "missing"), "glossy_final_bounce");
+  const Table bounces = bounce_table(study, key);
+  ASSERT_EQ(bounces.rows.size(), 10U);
+  EXPECT_THAT(text_in(bounces, 0, "discretisation_error"), HasSubstr("3.00 %"));
+  EXPECT_TRUE(split_table(study, {"surface", "magic", "rmse"}).rows.empty());
+}
+
+TEST_F(StudyFixture, ScenesSayWhatTheyCallForAndWhatIsMissingHasASize) {
+  const Study study = collect_study(folder_);
+  const Table calls = call_table(study);
+  ASSERT_EQ(calls.rows.size(), 2U);
+  EXPECT_EQ(text_in(calls, 0, "direct"), "called for");
+  EXPECT_EQ(text_in(calls, 0, "environment"), "not called for");
+  EXPECT_EQ(text_in(calls, 0, "bounces"), "21 (for 0.001 of the light)");
+  const Table evidence = evidence_table(study);
+  ASSERT_EQ(evidence.rows.size(), 6U);
+  EXPECT_EQ(text_in(evidence, 2, "evidence"), "largest albedo 0.73");
+  const Table matrix = effect_matrix(study);
+  ASSERT_EQ(matrix.rows.size(), 6U) << "two scenes, three methods";
+  EXPECT_EQ(text_in(matrix, 0, "glossy_final_bounce"), "simulated");
+  EXPECT_EQ(text_in(matrix, 0, "model_error"), "none");
+  EXPECT_EQ(text_in(matrix, 1, "glossy_final_bounce"), "missing");
+}
+
 TEST_F(StudyFixture, BrokenRecordIsAFailedRunWithAWarning) {
   const Study study = collect_study(folder_);
   const StudyRun& run = run_named(study, "broken");
@@ -121,7 +165,7 @@ TEST_F(StudyFixture, TablesOfTheWholeStudy) {
   EXPECT_EQ(failures.rows[0][0].text, "sibenik");
   EXPECT_EQ(failures.rows[2][3].text, "timed out");
   const Table matrix = effect_matrix(study);
-  EXPECT_EQ(matrix.columns.size(), 6U);
+  EXPECT_EQ(matrix.columns.size(), 7U);
   EXPECT_EQ(matrix.rows.size(), 6U);
   for (const auto& row : matrix.rows) EXPECT_EQ(row.size(), matrix.columns.size());
   EXPECT_EQ(run_table(study).rows.size(), study.runs.size());

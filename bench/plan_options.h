@@ -1,0 +1,32 @@
+/// The command-line options that say what a method may simulate.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/effects/effect_plan.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gibench {
+
+/// As given on the command line or in a study.
+struct PlanOptions {
+  std::string effects;      ///< names with commas between; "none"; empty: all
+  double tolerance = 0.0;   ///< share of the light that bounces left out may hold; 0: none is left out
+  std::string light_paths;  ///< an expression; empty: all paths
+
+  bool operator==(const PlanOptions&) const = default;
+};
+
+/// --effects and --tolerance
+void add_plan_options(CLI::App& verb, PlanOptions& options);
+/// --light-paths
+void add_light_paths_option(CLI::App& verb, std::string& light_paths);
+
+/// Throws InputError for an unknown effect, the known ones listed, and for a malformed expression.
+PlanLimits limits_of(const PlanOptions& options, std::optional<int> bounces);
+
+}  // namespace gibench
