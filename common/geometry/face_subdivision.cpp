@@ -79,8 +79,17 @@ class ObjectCutter {
     for (std::size_t i = 0; i < corners; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (points.corners[i] == points.corners[j]) return unwelded(face, corners);
-    if (corners == 3) points.corners[3] = points.corners[2];
-    return points;
+    if (corners == 4) return points;
+    points.corners[3] = points.corners[2];
+    return keeps_area(face, points) ? points : unwelded(face, corners);
+  }
+  /// A sliver thinner than the welding may be left without area.
+  bool keeps_area(const Face& face, const Face& points) {
+    const auto doubled = [](const Vec3d& a, const Vec3d& b, const Vec3d& c) { return glm::length(glm::cross(b - a, c - a)); };
+    const auto& v = world_.scene().vertices;
+    const auto& [a, b, c, d] = face.corners;
+    const auto& [p, q, r, s] = points.corners;
+    return doubled(point(p), point(q), point(r)) > 0.5 * doubled(Vec3d(v[a]), Vec3d(v[b]), Vec3d(v[c]));
   }
   Face unwelded(const Face& face, std::size_t corners) {
     Face points;

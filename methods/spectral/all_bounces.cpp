@@ -72,7 +72,7 @@ std::vector<TransferMatrix> all_bounces(const SpectralBasis& basis, const Transf
       }
       steps = choose_steps(basis, lights, pilot, compression_error);
     }
-    TransferMatrix& matrix = result.emplace_back(steps, columns);
+    TransferMatrix& matrix = result.emplace_back(steps, basis.constant());
     std::vector<std::unique_ptr<TransferMatrix::Block>> blocks(chunk_count(rows, row_chunk));
     task.parallel_chunks(rows, row_chunk, [&](const ChunkRange& range) {
       auto& block = blocks[range.chunk] = std::make_unique<TransferMatrix::Block>(matrix);

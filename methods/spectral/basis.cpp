@@ -87,6 +87,17 @@ std::uint32_t SpectralBasis::functions() const {
                          [](std::uint32_t sum, const Part& part) { return sum + part.functions; });
 }
 
+std::vector<float> SpectralBasis::constant() const {
+  std::vector<float> projected(columns(), 0.0F);
+  for (const Part& part : parts_) {
+    double sum = 0.0;
+    for (std::uint32_t slot = part.begin; slot < part.end; ++slot)
+      sum += static_cast<double>(weight_[slot]) * static_cast<double>(row(part, slot).front());
+    projected[part.column] = static_cast<float>(sum);
+  }
+  return projected;
+}
+
 void SpectralBasis::project(std::span<const Rgb4> values, std::span<Rgb4> coefficients, Task& task) const {
   task.parallel_chunks(parts_.size(), 1, [&](const ChunkRange& range) {
     const Part& part = parts_[range.begin];

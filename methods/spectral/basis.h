@@ -42,6 +42,9 @@ class SpectralBasis {
   /// Σ_ℓ c_ℓ s_ℓ at every slot.
   void reconstruct(std::span<const Rgb4> coefficients, std::span<Rgb4> values, Task& task) const;
 
+  /// The function 1, projected: not zero for the first function of every part alone.
+  std::vector<float> constant() const;
+
   std::size_t bytes() const { return (values_.size() + weight_.size()) * sizeof(float); }
 
  private:

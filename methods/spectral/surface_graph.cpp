@@ -9,7 +9,7 @@ namespace {
 
 // A sliver's cotangents run to infinity either way; within these bounds the Laplacian stays positive semidefinite and its
 // condition that of a mesh.
-constexpr double least_cotan = 1e-2, most_cotan = 1e2;
+constexpr double least_cotan = 1e-4, most_cotan = 1e2;
 
 /// One triangle's share of one edge, seen from one of its ends.
 struct Share {

@@ -121,9 +121,10 @@ class TransferMaker {
 
   /// All rows, block by block; each block's are made in parallel and appended in order.
   void fill(const VertexRays& rays, const std::vector<float>& steps) {
-    const std::size_t columns = transfer().basis.columns(), slots = transfer().basis.slots();
-    transfer().one_bounce = TransferMatrix(steps, columns);
-    if (!transfer().glossy_slots.empty()) transfer().harmonic_slices.assign(harmonic_count - 1, TransferMatrix(steps, columns));
+    const std::size_t slots = transfer().basis.slots();
+    const std::vector<float> constant = transfer().basis.constant();
+    transfer().one_bounce = TransferMatrix(steps, constant);
+    if (!transfer().glossy_slots.empty()) transfer().harmonic_slices.assign(harmonic_count - 1, TransferMatrix(steps, constant));
     for (std::size_t begin = 0; begin < slots && !task_.cancelled(); begin += rows_a_report) {
       fill_block(rays, begin, std::min(slots, begin + rows_a_report));
       task_.progress("transfer",

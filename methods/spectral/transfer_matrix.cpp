@@ -49,17 +49,29 @@ void TransferMatrix::Block::add(std::uint32_t column, float value) {
 }
 
 void TransferMatrix::Block::add_row(std::span<const float> dense) {
-  GIBENCH_CHECK(dense.size() == matrix_->columns_, "a row has a value for every column");
-  constexpr float most = std::numeric_limits<std::int16_t>::max();
+  GIBENCH_CHECK(dense.size() == matrix_->columns(), "a row has a value for every column");
   const std::size_t before = column_.size();
-  for (std::uint32_t c = 0; c < dense.size(); ++c) {
-    const float value =
-        matrix_->steps_.empty() ? dense[c] : std::clamp(std::nearbyint(dense[c] / matrix_->steps_[c]), -most, most);
-    if (value != 0.0F) add(c, value);
+  if (matrix_->steps_.empty()) {
+    for (std::uint32_t c = 0; c < dense.size(); ++c)
+      if (dense[c] != 0.0F) add(c, dense[c]);
+  } else {
+    add_rounded(dense);
   }
   coefficients_ += column_.size() - before;
   while ((column_.size() - before) % group != 0) add(0, 0.0F);
   row_sizes_.push_back(static_cast<std::uint32_t>(column_.size() - before));
+}
+
+void TransferMatrix::Block::add_rounded(std::span<const float> dense) {
+  constexpr float most = std::numeric_limits<std::int16_t>::max();
+  float lost = 0.0F;  // of the answer to constant light
+  for (std::uint32_t c = 0; c < dense.size(); ++c) {
+    const float step = matrix_->steps_[c], constant = matrix_->constant_[c];
+    const float wanted = constant != 0.0F ? dense[c] + lost / constant : dense[c];
+    const float levels = std::clamp(std::nearbyint(wanted / step), -most, most);
+    if (constant != 0.0F) lost = (wanted - levels * step) * constant;
+    if (levels != 0.0F) add(c, levels);
+  }
 }
 
 void TransferMatrix::append(const Block& block) {
@@ -71,7 +83,7 @@ void TransferMatrix::append(const Block& block) {
 }
 
 void TransferMatrix::multiply(std::span<const Rgb4> light, std::span<Rgb4> out, Task& task) const {
-  GIBENCH_CHECK(light.size() == columns_ && out.size() == rows(), "one light a column, one answer a row");
+  GIBENCH_CHECK(light.size() == columns() && out.size() == rows(), "one light a column, one answer a row");
   std::vector<Rgb4> in_steps(light.begin(), light.end());
   for (std::size_t c = 0; c < steps_.size(); ++c) in_steps[c] = Rgb(light[c]) * steps_[c];
   const auto* const colours = reinterpret_cast<const Colour*>(in_steps.data());
@@ -94,7 +106,7 @@ void TransferMatrix::add_row_to(std::size_t row, float factor, std::span<double>
 
 std::size_t TransferMatrix::bytes() const {
   return row_begin_.size() * sizeof(std::uint64_t) + quantised_.size() * sizeof(std::int16_t) + exact_.size() * sizeof(float) +
-         column_.size() * sizeof(std::uint16_t) + steps_.size() * sizeof(float);
+         column_.size() * sizeof(std::uint16_t) + (steps_.size() + constant_.size()) * sizeof(float);
 }
 
 }  // namespace gibench::spectral

@@ -15,11 +15,14 @@ namespace gibench::spectral {
 class TransferMatrix {
  public:
   TransferMatrix() = default;
-  /// `steps`: one a column, > 0; empty: nothing is rounded, exact zeros alone are left out.
-  explicit TransferMatrix(std::vector<float> steps, std::size_t columns) : steps_(std::move(steps)), columns_(columns) {}
+  /// `steps`: one a column, > 0; empty: nothing is rounded, exact zeros alone are left out. `constant`: light of one radiance,
+  /// projected. What rounding takes from a row's answer to it is handed on to the next of its columns, so that no more than half
+  /// a step is lost.
+  TransferMatrix(std::vector<float> steps, std::vector<float> constant)
+      : steps_(std::move(steps)), constant_(std::move(constant)) {}
 
   std::size_t rows() const { return row_begin_.size() - 1; }
-  std::size_t columns() const { return columns_; }
+  std::size_t columns() const { return constant_.size(); }
   std::uint64_t coefficients() const { return coefficients_; }  ///< kept, padding not counted
   std::size_t bytes() const;
 
@@ -32,6 +35,7 @@ class TransferMatrix {
    private:
     friend class TransferMatrix;
     void add(std::uint32_t column, float value);
+    void add_rounded(std::span<const float> dense);
     const TransferMatrix* matrix_;
     std::vector<std::uint32_t> row_sizes_;
     std::vector<std::int16_t> quantised_;
@@ -48,8 +52,7 @@ class TransferMatrix {
   void add_row_to(std::size_t row, float factor, std::span<double> dense) const;
 
  private:
-  std::vector<float> steps_;
-  std::size_t columns_ = 0;
+  std::vector<float> steps_, constant_;
   std::vector<std::uint64_t> row_begin_{0};  ///< into the arrays below
   std::vector<std::int16_t> quantised_;
   std::vector<float> exact_;

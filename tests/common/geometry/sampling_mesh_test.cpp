@@ -33,6 +33,7 @@ World oddments() {
   builder.object("fan", white, {{0, 2, 0}, {1, 2, 0}, {0.3F, 2, 0.9F}, {-0.8F, 2.4F, 0.5F}, {-0.5F, 2, -0.7F}},
                  {{0, 2, 1, 1}, {0, 3, 2, 2}, {0, 4, 3, 3}});
   builder.object("nothing", white, {{0, 3, 0}, {1, 3, 0}, {2, 3, 0}}, {{0, 1, 2, 2}, {0, 0, 1, 1}});
+  builder.object("thinner than welding", white, {{0, 6, 0}, {1, 6, 0}, {2, 6, 0}, {1, 6, 2e-6F}}, {{0, 3, 2, 2}, {0, 1, 2, 2}});
   builder.object("three at an edge", white, {{0, 4, 0}, {1, 4, 0}, {0, 4, 1}, {0, 5, 0}, {0, 3, 0}},
                  {{0, 2, 1, 1}, {0, 1, 3, 3}, {0, 1, 4, 4}});
   return World(builder.build("oddments"));

@@ -188,6 +188,18 @@ TEST(SpectralBasis, PartOfOneVertexHasTheConstant) {
   }
 }
 
+TEST(SpectralBasis, SliversAsThinAsFloatsMakeThemHaveABasis) {
+  SceneBuilder builder;
+  builder.object(
+      "slivers", builder.diffuse("white", Rgb(0.5F)),
+      {{0.5F, 0.5F, 0.5F}, {0.6F, 0.5F, 0.5F}, {0.7F, 0.5F, 0.5F}, {0.6F, 0.5F + 1e-7F, 0.5F}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+      {{0, 2, 3, 3}, {0, 1, 2, 2}, {4, 5, 6, 6}});
+  for (const Laplacian kind : kinds) {
+    const Based based(builder.build("slivers"), 1500, 200, 256, kind);
+    EXPECT_TRUE(based.made.failure.empty()) << based.made.failure;
+  }
+}
+
 TEST(SurfaceGraph, AWallThatStandsOnAFloorPartsIt) {
   SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));

@@ -34,7 +34,7 @@ TEST(SpectralRelighting, BoundedBouncesAreThePartialSums) {
   for (int bounces = 1; bounces <= 4; ++bounces) {
     expected = albedo * (1.0F + expected);
     const Relit relit = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(albedo / pi)),
-                                {.planned = bounces, .residual = 1e-9}, room.task);
+                                {.planned = bounces, .most = 1000, .residual = 1e-9}, room.task);
     EXPECT_EQ(relit.termination, Termination::bound_reached);
     EXPECT_EQ(relit.bounces, bounces);
     for (const Rgb4& value : relit.irradiance) EXPECT_NEAR(value.r, expected, 0.01F * expected);
@@ -46,8 +46,8 @@ TEST(SpectralRelighting, BlackSurfacesEndAtOnceAndWhiteOnesAreTold) {
   const Relit black = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb()), {}, room.task);
   EXPECT_EQ(black.bounces, 1);
   for (const Rgb4& value : black.irradiance) EXPECT_EQ(value.r, 0.0F);
-  const Relit white =
-      relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(1.0F / pi)), {.most = 50}, room.task);
+  const Relit white = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(1.0F / pi)),
+                              {.planned = {}, .most = 50}, room.task);
   EXPECT_FALSE(succeeded(white.termination) && white.message.empty());
 }
 
@@ -62,8 +62,8 @@ TEST(SpectralRelighting, FixedAlbedosGiveWhatTheBouncesGive) {
     std::vector<Rgb4> light, reflectance = everywhere(free, wish.reflectance[0]);
     for (const std::uint32_t vertex : free.transfer().vertex_of_slot)
       light.emplace_back(Rgb(free.transfer().mesh->vertices()[vertex].position.y));
-    const Relit one = relight(free.transfer(), light, reflectance, {.planned = bound, .residual = 1e-8}, free.task);
-    const Relit other = relight(fixed.transfer(), light, reflectance, {.planned = bound}, fixed.task);
+    const Relit one = relight(free.transfer(), light, reflectance, {.planned = bound, .most = 1000, .residual = 1e-8}, free.task);
+    const Relit other = relight(fixed.transfer(), light, reflectance, {.planned = bound, .most = 1000}, fixed.task);
     for (std::uint32_t slot = 0; slot < free.slots(); ++slot)
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(Rgb(other.irradiance[slot])[c], Rgb(one.irradiance[slot])[c], 1e-3F * Rgb(one.irradiance[slot])[c]);
