@@ -41,7 +41,8 @@ struct FrameRecord {
   double relight_seconds = 0.0, shade_seconds = 0.0;
   Termination termination = Termination::done;
   std::map<std::string, ErrorTable> errors;  ///< by component
-  double reference_seconds = 0.0, reference_error = 0.0;
+  double reference_seconds = 0.0;
+  double reference_rmse = 0.0;  ///< of the reference's own indirect light, W/m²
 };
 
 void require_relighting(const MethodChoice& choice) {
@@ -59,13 +60,11 @@ Lighting lighting_of(const PathFrame& frame) {
   return lighting;
 }
 
-/// Root mean square of the standard errors over the mean, of the channels together.
-double relative_standard_error(const Replicas& replicas) {
-  double variance = 0.0, sum = 0.0;
-  for (const Rgb& v : replicas.variance_of_mean()) variance += static_cast<double>(v.r + v.g + v.b) / 3.0;
-  for (const Rgb& v : replicas.mean()) sum += static_cast<double>(v.r + v.g + v.b) / 3.0;
-  const auto count = static_cast<double>(replicas.size());
-  return sum > 0.0 ? std::sqrt(variance / count) / (sum / count) : 0.0;
+/// Of the mean over all replicates, channels together.
+double root_mean_variance(const Replicas& replicas) {
+  double sum = 0.0;
+  for (const Rgb& v : replicas.variance_of_mean()) sum += static_cast<double>(v.r + v.g + v.b) / 3.0;
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, replicas.size())));
 }
 
 class Relighter {
@@ -130,7 +129,7 @@ class Relighter {
     const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);
     record.errors["total"] = value_errors(answers.total(), total);
     record.reference_seconds = reference.seconds;
-    record.reference_error = relative_standard_error(reference.surface.indirect);
+    record.reference_rmse = root_mean_variance(reference.surface.indirect);
   }
 
   const RelightOptions& options_;
@@ -155,11 +154,11 @@ double median_of(const std::vector<FrameRecord>& frames, const Of& of) {
   return median(std::move(values));
 }
 
-/// The relative error of the indirect light; nothing where it is not known or below the reference's noise.
+/// The error of the indirect light, W/m²; nothing where it is not known or below the reference's noise.
 std::optional<double> indirect_error(const FrameRecord& frame) {
   const auto component = frame.errors.find("indirect");
   if (component == frame.errors.end()) return std::nullopt;
-  const auto error = component->second.find("relative_rmse");
+  const auto error = component->second.find("rmse");
   if (error == component->second.end() || !std::isfinite(error->second.value) || error->second.below_noise_floor)
     return std::nullopt;
   return error->second.value;
@@ -168,8 +167,8 @@ std::optional<double> indirect_error(const FrameRecord& frame) {
 /// What path tracing the same points to the same indirect error takes: its error falls with the root of its time.
 std::optional<double> path_tracing_seconds(const FrameRecord& frame) {
   const auto error = indirect_error(frame);
-  if (!error || !(*error > 0.0) || !(frame.reference_error > 0.0)) return std::nullopt;
-  return frame.reference_seconds * std::pow(frame.reference_error / *error, 2.0);
+  if (!error || !(*error > 0.0) || !(frame.reference_rmse > 0.0)) return std::nullopt;
+  return frame.reference_seconds * std::pow(frame.reference_rmse / *error, 2.0);
 }
 
 Json frame_json(const FrameRecord& frame) {
@@ -184,7 +183,7 @@ Json frame_json(const FrameRecord& frame) {
       if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
     }
   if (frame.reference_seconds > 0.0)
-    json["reference"] = {{"seconds", frame.reference_seconds}, {"relative_standard_error", frame.reference_error}};
+    json["reference"] = {{"seconds", frame.reference_seconds}, {"rmse", frame.reference_rmse}};
   if (const auto seconds = path_tracing_seconds(frame)) json["path_tracing_seconds_at_equal_error"] = *seconds;
   return json;
 }
