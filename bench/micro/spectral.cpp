@@ -2,10 +2,13 @@
 #include <benchmark/benchmark.h>
 
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,6 +20,7 @@
 #include "common/scene/load.h"
 #include "methods/spectral/relighting.h"
 #include "methods/spectral/transfer.h"
+#include "methods/spectral/vertex_light.h"
 
 namespace gibench::micro {
 namespace {
@@ -25,6 +29,8 @@ using namespace spectral;
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 Scene window_room() { return load_scene(std::filesystem::path(GIBENCH_SCENE_FOLDER) / "window-room.scene.json"); }
+
+constexpr const char* wanted_vertices = "23500";  // gives 31 000
 
 spectral::Settings settings(const Settings& chosen) { return settings_from(Parameters(settings_schema(), chosen)); }
 
@@ -50,11 +56,74 @@ void precomputation(benchmark::State& state) {
 }
 BENCHMARK(precomputation)->Arg(1)->Arg(2)->ArgName("threads")->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(2);
 
+TransferWish wish_of(const World& world) {
+  TransferWish wish;
+  for (std::uint32_t object = 0; object < world.scene().objects.size(); ++object)
+    wish.reflectance.emplace_back(world.scene().material_of_object(object).diffuse / pi);
+  return wish;
+}
+
+/// The indirect light of the window room under its sky, all bounces, one value a slot.
+std::vector<Rgb4> relit_room(const World& world, const Transfer& transfer, Task& task) {
+  const DirectLight light(world, Lighting::of(world.scene()));
+  const std::vector<Rgb4> direct = direct_irradiance(world, transfer, light, settings({{"direct_samples", "64"}}), task);
+  std::vector<Rgb4> reflectance;
+  for (const std::uint32_t vertex : transfer.vertex_of_slot)
+    reflectance.emplace_back(world.scene().material_of_object(transfer.mesh->vertices()[vertex].object).diffuse / pi);
+  return relight(transfer, direct, reflectance, {}, task).irradiance;
+}
+
+/// Mean square of (x − A)(x − B) over that of A·B: the squared relative error of x against the truth behind A and B.
+double squared_error(const std::vector<Rgb4>& x, const std::vector<Rgb4>& a, const std::vector<Rgb4>& b) {
+  double squares = 0.0, errors = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    squares += static_cast<double>(a[i].g) * static_cast<double>(b[i].g);
+    errors += static_cast<double>(x[i].g - a[i].g) * static_cast<double>(x[i].g - b[i].g);
+  }
+  return errors / squares;
+}
+
+/// What compression leaves of the matrix, and what it adds to the error of the room's indirect light, all bounces (root mean
+/// square over vertices; in quadrature), beside the error that the rays alone make. Arguments: thousandths that it may add, rays
+/// a vertex.
+void compression(benchmark::State& state) {
+  const World world(window_room());
+  const std::string rays = std::to_string(state.range(1)), error = std::to_string(1e-3 * static_cast<double>(state.range(0)));
+  const auto transfer_with = [&](const std::string& compression_error, std::uint64_t seed) {
+    Task task({.seed = seed, .threads = 0, .cancel = {}, .on_progress = {}});
+    TransferMaking made =
+        make_transfer(world, settings({{"vertices", wanted_vertices}, {"rays", rays}, {"compression_error", compression_error}}),
+                      wish_of(world), task);
+    GIBENCH_CHECK(succeeded(made.termination), "it was not made");
+    return std::move(made.transfer);
+  };
+  Task task;
+  for (auto _ : state) {
+    const std::vector<Rgb4> first = relit_room(world, transfer_with("0", 2), task),
+                            second = relit_room(world, transfer_with("0", 3), task);
+    const std::vector<Rgb4> whole = relit_room(world, transfer_with("0", 1), task);
+    const Transfer rounded = transfer_with(error, 1);
+    const double of_rays = squared_error(whole, first, second),
+                 of_both = squared_error(relit_room(world, rounded, task), first, second);
+    state.counters["error_of_rays"] = std::sqrt(std::max(0.0, of_rays));
+    state.counters["added_error"] = std::sqrt(std::max(0.0, of_both - of_rays));
+    state.counters["coefficients_per_vertex"] =
+        static_cast<double>(rounded.one_bounce.coefficients()) / static_cast<double>(whole.size());
+    state.counters["matrix_bytes"] = static_cast<double>(rounded.one_bounce.bytes());
+    state.counters["basis_bytes"] = static_cast<double>(rounded.basis.bytes());
+  }
+}
+BENCHMARK(compression)
+    ->ArgsProduct({{10, 20, 40}, {256, 1024}})
+    ->ArgNames({"thousandths", "rays"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
 /// The window room with 31 000 vertices and 1024 functions; few rays, which the product's shape hardly depends on.
 struct Room {
   World world{window_room()};
   Task task;
-  TransferMaking made = make_transfer(world, settings({{"vertices", "29000"}, {"rays", "1024"}}), {}, task);
+  TransferMaking made = make_transfer(world, settings({{"vertices", wanted_vertices}, {"rays", "1024"}}), wish_of(world), task);
   std::vector<Rgb4> direct, reflectance, light;
 
   Room() {

@@ -67,7 +67,7 @@ std::vector<TransferMatrix> all_bounces(const SpectralBasis& basis, const Transf
       std::vector<PilotRow> pilot(std::min(pilot_rows, rows));
       for (std::size_t i = 0; i < pilot.size(); ++i) {
         const std::size_t row = (2 * i + 1) * rows / (2 * pilot.size());
-        pilot[i] = {std::vector<float>(columns), areas[row]};
+        pilot[i] = {std::vector<float>(columns), {}, areas[row]};
         dense_row(row, pilot[i].values);
       }
       steps = choose_steps(basis, lights, pilot, compression_error);

@@ -75,24 +75,32 @@ std::vector<double> spread_of_columns(const SpectralBasis& basis, const std::vec
   return spread;
 }
 
-/// Mean square of the rows' answers and of what rounding changes in them.
+/// Squares of the rows' answers, and what rounding adds to those of their errors.
 struct Energy {
-  double whole = 0.0, changed = 0.0;
+  double whole = 0.0, added = 0.0;
 };
+
+RgbDouble answer_to(const std::vector<Rgb4>& light, std::span<const float> row) {
+  RgbDouble sum;
+  for (std::size_t c = 0; c < row.size(); ++c) sum += RgbDouble(Rgb(light[c])) * static_cast<double>(row[c]);
+  return sum;
+}
 
 Energy energy_of(std::span<const PilotRow> rows, const std::vector<std::vector<Rgb4>>& lights, std::span<const float> steps) {
   Energy energy;
+  std::vector<float> change(steps.size());
   for (const PilotRow& row : rows) {
-    std::vector<std::pair<std::size_t, float>> change;
     for (std::size_t c = 0; c < steps.size(); ++c)
-      if (const float off = std::nearbyint(row.values[c] / steps[c]) * steps[c] - row.values[c]; off != 0.0F)
-        change.emplace_back(c, off);
+      change[c] = std::nearbyint(row.values[c] / steps[c]) * steps[c] - row.values[c];
     for (const auto& light : lights) {
-      RgbDouble whole, off;
-      for (std::size_t c = 0; c < steps.size(); ++c) whole += RgbDouble(Rgb(light[c])) * static_cast<double>(row.values[c]);
-      for (const auto& [c, value] : change) off += RgbDouble(Rgb(light[c])) * static_cast<double>(value);
-      energy.whole += row.area * (whole.r * whole.r + whole.g * whole.g + whole.b * whole.b);
-      energy.changed += row.area * (off.r * off.r + off.g * off.g + off.b * off.b);
+      const RgbDouble whole = answer_to(light, row.values), off = answer_to(light, change);
+      // (x − A)(x − B) of the rounded answer less that of the answer itself.
+      RgbDouble doubted = off;
+      for (const std::vector<float>& other : row.others)
+        if (!other.empty()) doubted += whole - answer_to(light, other);
+      const RgbDouble added = off * doubted, squared = whole * whole;
+      energy.whole += row.area * (squared.r + squared.g + squared.b);
+      energy.added += row.area * (added.r + added.g + added.b);
     }
   }
   return energy;
@@ -128,6 +136,13 @@ std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMe
   return lights;
 }
 
+std::vector<std::vector<Rgb4>> with_ambient(std::vector<std::vector<Rgb4>> lights, const SpectralBasis& basis, float ambient) {
+  const std::vector<float> constant = basis.constant();
+  for (std::vector<Rgb4>& light : lights)
+    for (std::size_t c = 0; c < light.size(); ++c) light[c] = Rgb(light[c]) + Rgb(ambient * constant[c]);
+  return lights;
+}
+
 std::vector<float> choose_steps(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights,
                                 std::span<const PilotRow> rows, double error) {
   const std::vector<double> spread = spread_of_columns(basis, lights);
@@ -147,7 +162,7 @@ std::vector<float> choose_steps(const SpectralBasis& basis, const std::vector<st
   for (int i = 0; i < halvings; ++i) {
     const double middle = std::sqrt(low * high);
     const Energy energy = energy_of(rows, lights, steps_at(middle));
-    (energy.changed > error * error * energy.whole ? high : low) = middle;
+    (energy.added > error * error * energy.whole ? high : low) = middle;
   }
   return steps_at(low);
 }

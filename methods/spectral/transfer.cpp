@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/core/random.h"
 #include "methods/spectral/all_bounces.h"
 #include "methods/spectral/compression.h"
 #include "methods/spectral/transfer_rows.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t row_chunk = 8;         // vertices
 constexpr std::size_t rows_a_report = 2048;  // vertices between two signs of progress
 constexpr std::size_t pilot_rows = 256;
+constexpr std::uint64_t pilot_stage = 0x70696c6f74ULL;
 
 class TransferMaker {
  public:
@@ -69,14 +71,14 @@ class TransferMaker {
 
   void make_matrices() {
     find_glossy_slots();
-    const VertexRays rays(world_, *transfer().mesh, transfer().interpolation, transfer().slot_of_vertex, settings_.rays,
-                          task_.seed());
+    const VertexRays rays = rays_of(task_.seed());
     std::vector<float> steps;
     const bool compressed = settings_.compression_error > 0.0;
     std::vector<std::vector<Rgb4>> lights;
     if (compressed) {
       lights = trial_lights(world_, *transfer().mesh, transfer().basis, transfer().vertex_of_slot, task_);
-      steps = choose_steps(transfer().basis, lights, pilot(rays), settings_.compression_error);
+      steps = choose_steps(transfer().basis, with_ambient(lights, transfer().basis, ambient()), pilot(rays),
+                           settings_.compression_error);
     }
     task_.progress("steps", 0.12);
     fill(rays, steps);
@@ -91,6 +93,20 @@ class TransferMaker {
     task_.progress("transfer", 1.0);
   }
 
+  /// The indirect light to expect of the direct light, its share: ā + ā² + … of the mean albedo.
+  float ambient() const {
+    constexpr double most_albedo = 0.9;
+    double reflected = 0.0, area = 0.0;
+    if (wish_.reflectance.empty()) return 0.0F;
+    for (const MeshVertex& vertex : making_.transfer.mesh->vertices()) {
+      const auto share = static_cast<double>(vertex.area);
+      reflected += share * static_cast<double>(pi * luminance(Rgb(wish_.reflectance[vertex.object])));
+      area += share;
+    }
+    const double albedo = std::min(most_albedo, reflected / area);
+    return static_cast<float>(albedo / (1.0 - albedo));
+  }
+
   void find_glossy_slots() {
     transfer().glossy_row.assign(transfer().basis.slots(), Transfer::no_row);
     if (wish_.glossy_objects.empty()) return;
@@ -102,20 +118,29 @@ class TransferMaker {
     task_.count("glossy_vertices", transfer().glossy_slots.size());
   }
 
+  VertexRays rays_of(std::uint64_t seed) const {
+    return {world_, *making_.transfer.mesh, making_.transfer.interpolation, making_.transfer.slot_of_vertex, settings_.rays,
+            seed};
+  }
+
   std::vector<PilotRow> pilot(const VertexRays& rays) {
-    const std::size_t slots = transfer().basis.slots(), count = std::min(pilot_rows, slots);
+    const std::size_t slots = transfer().basis.slots(), count = std::min(pilot_rows, slots), columns = transfer().basis.columns();
+    const VertexRays others[2] = {rays_of(mix_keys(task_.seed(), pilot_stage, 0)),
+                                  rays_of(mix_keys(task_.seed(), pilot_stage, 1))};
     std::vector<PilotRow> rows(count);
+    for (PilotRow& row : rows)
+      for (auto* values : {&row.values, &row.others[0], &row.others[1]}) values->resize(columns, 0.0F);
     task_.parallel_chunks(count, row_chunk, [&](const ChunkRange& range) {
       RayStream stream = task_.rays(world_);
-      TransferRows maker(transfer().basis, rays);
+      TransferRows own(transfer().basis, rays), first(transfer().basis, others[0]), second(transfer().basis, others[1]);
       for (std::size_t i = range.begin; i < range.end; ++i) {
         const std::uint32_t vertex = transfer().vertex_of_slot[(2 * i + 1) * slots / (2 * count)];
-        rows[i].values.resize(transfer().basis.columns());
         rows[i].area = static_cast<double>(transfer().mesh->vertices()[vertex].area);
-        maker.irradiance(vertex, stream, rows[i].values);
+        own.irradiance(vertex, stream, rows[i].values);
+        first.irradiance(vertex, stream, rows[i].others[0]);
+        second.irradiance(vertex, stream, rows[i].others[1]);
       }
     });
-    for (PilotRow& row : rows) row.values.resize(transfer().basis.columns(), 0.0F);  // those that were not made once cancelled
     return rows;
   }
 
