@@ -5,15 +5,17 @@
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
+#include "common/core/sobol.h"
 
 namespace gibench::spectral {
 
 namespace {
 
-constexpr std::uint64_t light_stage = 0x747269616cULL;
-constexpr std::size_t light_triples = 4;
+constexpr std::uint64_t light_stage = 0x747269616cULL, sky_stage = 0x736b79ULL;
+constexpr std::uint32_t sky_rays = 64;
+constexpr std::size_t light_triples = 4;  // and one of skies
 constexpr std::size_t slot_chunk = 512;
-constexpr int halvings = 40;
+constexpr int halvings = 24;
 constexpr double most_levels = 16000.0;  // of 32767: rows to come may hold larger values than the pilot's
 constexpr double least_spread = 1e-3;    // of the largest: no function is taken to carry nothing
 
@@ -69,16 +71,18 @@ std::vector<double> spread_of_columns(const SpectralBasis& basis, const std::vec
   std::vector<double> spread(basis.columns(), 1.0);
   for (std::size_t p = 0; p < basis.parts().size(); ++p) {
     const SpectralBasis::Part& part = basis.parts()[p];
-    for (std::uint32_t order = 0; order < part.width; ++order)
-      spread[part.column + order] = std::max({squares[order], least_spread * largest, 1e-30}) * std::sqrt(part_weight[p]);
+    for (std::uint32_t order = 0; order < part.width; ++order) {
+      const double usual = std::max({squares[order], least_spread * largest, 1e-30}) * std::sqrt(part_weight[p]);
+      double own = 0.0;  // more than usual in parts that a light is close to
+      for (const auto& light : lights) {
+        const RgbDouble c(Rgb(light[part.column + order]));
+        own += c.r * c.r + c.g * c.g + c.b * c.b;
+      }
+      spread[part.column + order] = std::max(usual, std::sqrt(own));
+    }
   }
   return spread;
 }
-
-/// Squares of the rows' answers, and what rounding adds to those of their errors.
-struct Energy {
-  double whole = 0.0, added = 0.0;
-};
 
 RgbDouble answer_to(const std::vector<Rgb4>& light, std::span<const float> row) {
   RgbDouble sum;
@@ -86,24 +90,42 @@ RgbDouble answer_to(const std::vector<Rgb4>& light, std::span<const float> row) 
   return sum;
 }
 
-Energy energy_of(std::span<const PilotRow> rows, const std::vector<std::vector<Rgb4>>& lights, std::span<const float> steps) {
-  Energy energy;
+/// What rounding adds to the squared error of the rows' answers to a light, as a share of their squares: of the light that it
+/// hurts most.
+double added_error(std::span<const PilotRow> rows, const std::vector<std::vector<Rgb4>>& lights, std::span<const float> steps) {
+  std::vector<RgbDouble> squares(lights.size()), added(lights.size());
   std::vector<float> change(steps.size());
   for (const PilotRow& row : rows) {
     for (std::size_t c = 0; c < steps.size(); ++c)
       change[c] = std::nearbyint(row.values[c] / steps[c]) * steps[c] - row.values[c];
-    for (const auto& light : lights) {
-      const RgbDouble whole = answer_to(light, row.values), off = answer_to(light, change);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const RgbDouble whole = answer_to(lights[i], row.values), off = answer_to(lights[i], change);
       // (x − A)(x − B) of the rounded answer less that of the answer itself.
       RgbDouble doubted = off;
       for (const std::vector<float>& other : row.others)
-        if (!other.empty()) doubted += whole - answer_to(light, other);
-      const RgbDouble added = off * doubted, squared = whole * whole;
-      energy.whole += row.area * (squared.r + squared.g + squared.b);
-      energy.added += row.area * (added.r + added.g + added.b);
+        if (!other.empty()) doubted += whole - answer_to(lights[i], other);
+      squares[i] += row.area * (whole * whole);
+      added[i] += row.area * (off * doubted);
     }
   }
-  return energy;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (squares[i][c] > 0.0) worst = std::max(worst, added[i][c] / squares[i][c]);
+  return std::sqrt(worst);
+}
+
+/// What a sky of three kinds brings to a point: all round, from above, and from one side.
+Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::uint32_t vertex, RayStream& rays) {
+  const Frame frame(sample.normal);
+  const SobolSequence directions(mix_keys(sky_stage, vertex));
+  Rgb sum;
+  for (std::uint32_t i = 0; i < sky_rays; ++i) {
+    const Vec3 direction = frame.to_world(cosine_hemisphere(directions.pair(i, 0).unit()));
+    if (rays.occluded({world.ray_origin(sample), 0.0F, direction})) continue;
+    sum += Rgb(1.0F, direction.y > 0.0F ? 1.0F : 0.0F, direction.x + direction.z > 0.0F ? 1.0F : 0.0F);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -114,7 +136,8 @@ std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMe
   std::vector<double> area;
   for (const std::uint32_t vertex : vertex_of_slot) area.push_back(static_cast<double>(mesh.vertices()[vertex].area));
   std::vector<Rgb4> field(basis.slots());
-  for (std::size_t triple = 0; triple < light_triples; ++triple) {
+  for (std::size_t triple = 0; triple <= light_triples; ++triple) {
+    const bool skies = triple == light_triples;
     std::array<Vec3, 3> places;
     {
       RayStream rays = task.rays(world);
@@ -127,7 +150,7 @@ std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMe
         const SurfaceSample sample = mesh.sample(world, vertex, mesh.sites(vertex).front());
         const float nearest = std::sqrt(mesh.vertices()[vertex].area);
         const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, rays); };
-        field[slot] = Rgb(from(0), from(1), from(2));
+        field[slot] = skies ? irradiance_from_sky(world, sample, vertex, rays) : Rgb(from(0), from(1), from(2));
       }
     });
     scale_to_unit_mean(field, area);
@@ -158,11 +181,10 @@ std::vector<float> choose_steps(const SpectralBasis& basis, const std::vector<st
   };
   double high = 1e-30;  // a scale at which everything is rounded away
   for (std::size_t c = 0; c < spread.size(); ++c) high = std::max(high, 4.0 * largest[c] * spread[c]);
-  double low = high * 1e-12;
+  double low = high * 1e-8;
   for (int i = 0; i < halvings; ++i) {
     const double middle = std::sqrt(low * high);
-    const Energy energy = energy_of(rows, lights, steps_at(middle));
-    (energy.added > error * error * energy.whole ? high : low) = middle;
+    (added_error(rows, lights, steps_at(middle)) > error ? high : low) = middle;
   }
   return steps_at(low);
 }

@@ -33,10 +33,17 @@ World oddments() {
   builder.object("fan", white, {{0, 2, 0}, {1, 2, 0}, {0.3F, 2, 0.9F}, {-0.8F, 2.4F, 0.5F}, {-0.5F, 2, -0.7F}},
                  {{0, 2, 1, 1}, {0, 3, 2, 2}, {0, 4, 3, 3}});
   builder.object("nothing", white, {{0, 3, 0}, {1, 3, 0}, {2, 3, 0}}, {{0, 1, 2, 2}, {0, 0, 1, 1}});
-  builder.object("thinner than welding", white, {{0, 6, 0}, {1, 6, 0}, {2, 6, 0}, {1, 6, 2e-6F}}, {{0, 3, 2, 2}, {0, 1, 2, 2}});
   builder.object("three at an edge", white, {{0, 4, 0}, {1, 4, 0}, {0, 4, 1}, {0, 5, 0}, {0, 3, 0}},
                  {{0, 2, 1, 1}, {0, 1, 3, 3}, {0, 1, 4, 4}});
   return World(builder.build("oddments"));
+}
+
+/// A triangle that welding its vertices would leave without area.
+World thin_sliver() {
+  SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
+  builder.object("thinner than welding", white, {{0, 6, 0}, {1, 6, 0}, {2, 6, 0}, {1, 6, 2e-6F}}, {{0, 3, 2, 2}, {0, 1, 2, 2}});
+  return World(builder.build("thin sliver"));
 }
 
 /// A sphere of latitude and longitude quads with poles of triangles, fronts outward.
@@ -123,7 +130,7 @@ void expect_no_cracks(const SamplingMesh& mesh) {
 }
 
 TEST(SamplingMesh, AreasAddUpToTheScenes) {
-  for (const World& world : {room(), room(true), oddments(), sphere(8, 12)})
+  for (const World& world : {room(), room(true), oddments(), sphere(8, 12), thin_sliver()})
     for (const double edge : {std::numeric_limits<double>::infinity(), 0.31, 0.07})
       for (const bool keep_quads : {false, true}) {
         const SamplingMesh mesh(world, {edge, 40.0F, keep_quads});
@@ -153,7 +160,7 @@ TEST(SamplingMesh, NoEdgeIsLongerThanAskedFor) {
 }
 
 TEST(SamplingMesh, PointsOfTheSceneAreFound) {
-  for (const World& world : {room(), room(true), oddments(), sphere(8, 12)})
+  for (const World& world : {room(), room(true), oddments(), sphere(8, 12), thin_sliver()})
     for (const double edge : {std::numeric_limits<double>::infinity(), 0.31, 0.07})
       for (const bool keep_quads : {false, true}) expect_points_found(world, SamplingMesh(world, {edge, 40.0F, keep_quads}));
 }
