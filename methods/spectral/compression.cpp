@@ -138,8 +138,8 @@ std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMe
   std::vector<Rgb4> field(basis.slots());
   for (std::size_t triple = 0; triple <= light_triples; ++triple) {
     const bool skies = triple == light_triples;
-    std::array<Vec3, 3> places;
-    {
+    std::array<Vec3, 3> places{};
+    if (!skies) {
       RayStream rays = task.rays(world);
       for (std::size_t i = 0; i < 3; ++i) places[i] = place_of_light(world, mesh, 3 * triple + i, rays, task.seed());
     }
