@@ -182,8 +182,7 @@ Json frame_json(const FrameRecord& frame) {
       Json& value = json["errors"][component][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
       if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
     }
-  if (frame.reference_seconds > 0.0)
-    json["reference"] = {{"seconds", frame.reference_seconds}, {"rmse", frame.reference_rmse}};
+  if (frame.reference_seconds > 0.0) json["reference"] = {{"seconds", frame.reference_seconds}, {"rmse", frame.reference_rmse}};
   if (const auto seconds = path_tracing_seconds(frame)) json["path_tracing_seconds_at_equal_error"] = *seconds;
   return json;
 }

@@ -123,7 +123,8 @@ BENCHMARK(compression)
 struct Room {
   World world{window_room()};
   Task task;
-  TransferMaking made = make_transfer(world, settings({{"vertices", wanted_vertices}, {"rays", "1024"}}), wish_of(world), task);
+  TransferMaking made = make_transfer(
+      world, settings({{"vertices", wanted_vertices}, {"rays", "1024"}, {"compression_error", "0.02"}}), wish_of(world), task);
   std::vector<Rgb4> direct, reflectance, light;
 
   Room() {

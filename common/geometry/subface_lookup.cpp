@@ -7,7 +7,8 @@ namespace gibench {
 
 namespace {
 
-constexpr float rim = 1e-5F;  // of a barycentric: cells are given what reaches this near to them
+constexpr float rim = 1e-5F;             // of a barycentric: cells are given what reaches this near to them
+constexpr double cells_a_subface = 2.5;  // along either barycentric, so that most cells meet one or two triangles
 
 std::uint32_t cell_of(float coordinate, std::uint32_t width) {
   const float scaled = coordinate * static_cast<float>(width);
@@ -37,13 +38,25 @@ std::uint32_t SubfaceLookup::add_entry(const Subface& subface) {
   return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
+bool SubfaceLookup::reaches(const Entry& entry, std::uint32_t x, std::uint32_t y, std::uint32_t width) {
+  const float size = 1.0F / static_cast<float>(width);
+  const Vec2 low = Vec2(static_cast<float>(x), static_cast<float>(y)) * size - entry.corner;
+  // A barycentric is linear: its largest value over the cell is at the corner that its slopes point to.
+  const auto largest = [&](float along_x, float along_y) {
+    return along_x * low.x + along_y * low.y + size * (std::max(0.0F, along_x) + std::max(0.0F, along_y));
+  };
+  const auto& m = entry.matrix;
+  const float margin = -1e-3F;
+  return largest(m[0], m[1]) >= margin && largest(m[2], m[3]) >= margin && 1.0F + largest(-m[0] - m[2], -m[1] - m[3]) >= margin;
+}
+
 void SubfaceLookup::add(std::span<const Subface> subfaces) {
   if (subfaces.size() <= 1) {
     rasters_.push_back({static_cast<std::uint32_t>(subfaces.size()), static_cast<std::uint32_t>(entries_.size())});
     if (!subfaces.empty()) add_entry(subfaces.front());
     return;
   }
-  const auto width = static_cast<std::uint32_t>(std::ceil(1.5 * std::sqrt(static_cast<double>(subfaces.size()))));
+  const auto width = static_cast<std::uint32_t>(std::ceil(cells_a_subface * std::sqrt(static_cast<double>(subfaces.size()))));
   rasters_.push_back({width, static_cast<std::uint32_t>(cell_begin_.size())});
   std::vector<std::vector<std::uint32_t>> cells(std::size_t{width} * width);
   for (const Subface& subface : subfaces) {
@@ -52,7 +65,7 @@ void SubfaceLookup::add(std::span<const Subface> subfaces) {
     const std::uint32_t entry = add_entry(subface);
     for (std::uint32_t y = cell_of(box.low.y, width); y <= cell_of(box.high.y, width); ++y)
       for (std::uint32_t x = cell_of(box.low.x, width); x <= cell_of(box.high.x, width); ++x)
-        cells[std::size_t{y} * width + x].push_back(entry);
+        if (reaches(entries_[entry], x, y, width)) cells[std::size_t{y} * width + x].push_back(entry);
   }
   for (const auto& cell : cells) {
     cell_begin_.push_back(static_cast<std::uint32_t>(cell_entries_.size()));

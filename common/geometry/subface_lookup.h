@@ -46,6 +46,8 @@ class SubfaceLookup {
   };
 
   std::uint32_t add_entry(const Subface& subface);
+  /// Whether the triangle meets the cell, or nearly.
+  static bool reaches(const Entry& entry, std::uint32_t x, std::uint32_t y, std::uint32_t width);
 
   std::vector<Raster> rasters_;
   std::vector<std::uint32_t> cell_begin_;  ///< into cell_entries_; one more than cells for every raster
