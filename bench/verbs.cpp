@@ -10,6 +10,7 @@ void add_verbs(CLI::App& app, Call& call) {
   add_run(app, call);
   add_query(app, call);
   add_reference(app, call);
+  add_relight(app, call);
   add_compare(app, call);
   add_study(app, call);
   add_report(app, call);

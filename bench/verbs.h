@@ -33,6 +33,7 @@ void add_check(CLI::App& app, Call& call);
 void add_run(CLI::App& app, Call& call);
 void add_query(CLI::App& app, Call& call);
 void add_reference(CLI::App& app, Call& call);
+void add_relight(CLI::App& app, Call& call);
 void add_compare(CLI::App& app, Call& call);
 void add_study(CLI::App& app, Call& call);
 void add_report(CLI::App& app, Call& call);

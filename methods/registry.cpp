@@ -7,6 +7,7 @@
 #include "common/core/error.h"
 #include "methods/meshless/meshless.h"
 #include "methods/pathtracer/pathtracer.h"
+#include "methods/spectral/spectral.h"
 
 namespace gibench {
 
@@ -14,6 +15,7 @@ std::span<const MethodEntry> all_methods() {
   static const std::vector<MethodEntry> methods{
       pathtracer_entry(),
       meshless_entry(),
+      spectral_entry(),
   };
   return methods;
 }

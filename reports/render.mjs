@@ -34,9 +34,12 @@ function specifications() {
   if (study.rankings[0].points.length) list.push(["ranking", plotting.rankingPlot(study, templates, 0, width)]);
   if (study.splits[0].points.length) list.push(["error-split", plotting.splitPlot(study, templates, 0, width)]);
   for (const scene of study.scenes) {
-    for (const key of keys)
+    for (const key of keys) {
+      for (const sweep of plotting.sweeps(study, scene, key.index))
+        list.push([`${scene.slug}-${key.name}-${sweep.name}`, plotting.sweepPlot(study, templates, key.index, width, sweep)]);
       if (plotting.errorPoints(study, scene, key.index).points.length)
         list.push([`${scene.slug}-${key.name}`, plotting.errorPlot(study, templates, scene, key.index, width)]);
+    }
     for (const domain of new Set(keys.map((key) => key.domain))) {
       const spec = plotting.stagesPlot(study, templates, scene, domain, width);
       if (spec.datasets.totals.length) list.push([`${scene.slug}-stages-${domain}`, spec]);

@@ -81,7 +81,7 @@
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
       points.push({
-        run: run.label, method: run.method, seconds: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
+        index, run: run.label, method: run.method, series: run.method, x: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
         floor: error.floor ?? null,
         low: error.low === undefined ? null : Math.max(error.low, smallest), high: error.high ?? null,
       });
@@ -89,25 +89,54 @@
     return { points, leftOut };
   }
 
-  function errorPlot(study, templates, scene, key, width) {
-    const { points } = errorPoints(study, scene, key);
+  // The errors of points along x: against time, or against a parameter.
+  function curves(study, templates, key, width, points, x) {
     const entry = study.keys[key], metric = study.metrics[entry.metric];
     const values = points.flatMap((p) => [p.error, p.high ?? p.error, Math.max(p.low ?? p.error, metric.logarithmic ? p.error / 3 : -Infinity)]);
     const floors = points.map((p) => p.floor).filter((floor) => floor > 0);
     const floor = floors.length ? Math.max(...floors) : null;
     // Room for the marks below the floor.
     if (points.some((p) => p.below)) values.push(floor / 1.7);
-    const timeDomain = logDomain(points.map((p) => p.seconds), 1.6);
+    const xDomain = logDomain(points.map((p) => p.x), x.margin);
     const domain = metric.logarithmic ? logDomain(values, 1.35) : linearDomain(values);
-    return fill(templates["error-against-time"], {
+    return fill(templates["error-curve"], {
       width, config: config(width), runs: points, ...styles(study, new Set(points.map((p) => p.method))),
       floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "below the reference's noise floor" }] : [],
-      timeTitle: `Time (s): prepare + light + shade${entry.domain === "image" ? " the image" : " the samples"}`,
-      timeDomain, timeTicks: logTicks(timeDomain), errorTicks: metric.logarithmic ? logTicks(domain) : null,
+      xTitle: x.title, xDomain, xTicks: x.ticks ?? logTicks(xDomain), xFormat: x.format, errorTicks: metric.logarithmic ? logTicks(domain) : null,
       errorTitle: entry.axis, errorScale: metric.logarithmic ? "log" : "linear", errorDomain: domain,
       tooltip: [{ field: "run", title: "Run" }, { field: "method", title: "Method" }, { field: "text", title: "Error" }, { field: "time", title: "Time" }],
       errorFormat: metric.percent ? "~%" : "~g",
     });
+  }
+
+  function errorPlot(study, templates, scene, key, width) {
+    const title = `Time (s): prepare + light + shade${study.keys[key].domain === "image" ? " the image" : " the samples"}`;
+    return curves(study, templates, key, width, errorPoints(study, scene, key).points, { title, margin: 1.6, format: "~g" });
+  }
+
+  // The parameters that a study sweeps on a scene: [{ name, points }]. A series is what differs in that parameter alone and
+  // has three values of it at least; numbers above zero only, as the axis is logarithmic.
+  function sweeps(study, scene, key) {
+    const { points } = errorPoints(study, scene, key);
+    const names = [...new Set(points.flatMap((p) => study.runs[p.index].parameters.map(([name]) => name)))];
+    return names.flatMap((name) => {
+      const series = new Map();
+      for (const point of points) {
+        const parameters = study.runs[point.index].parameters, own = parameters.find(([n]) => n === name);
+        const value = own ? Number(own[1]) : NaN;
+        if (!(value > 0) || !isFinite(value)) continue;
+        const rest = JSON.stringify([point.method, parameters.filter(([n]) => n !== name)]);
+        series.set(rest, (series.get(rest) ?? new Map()).set(value, { ...point, x: value, series: rest }));
+      }
+      const swept = [...series.values()].filter((values) => values.size >= 3).flatMap((values) => [...values.values()]);
+      return swept.length ? [{ name, points: swept }] : [];
+    });
+  }
+
+  function sweepPlot(study, templates, key, width, sweep) {
+    const values = [...new Set(sweep.points.map((p) => p.x))].sort((a, b) => a - b);
+    const ticks = values.length <= 10 ? values : undefined;
+    return curves(study, templates, key, width, sweep.points, { title: sweep.name, margin: 1.25, ticks, format: "~r" });
   }
 
   function rankingPlot(study, templates, key, width) {
@@ -152,5 +181,5 @@
     });
   }
 
-  gibench.plotting = { errorPlot, errorPoints, rankingPlot, splitPlot, stagesPlot };
+  gibench.plotting = { errorPlot, errorPoints, rankingPlot, splitPlot, stagesPlot, sweepPlot, sweeps };
 })(globalThis.gibench ?? (globalThis.gibench = {}));

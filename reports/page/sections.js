@@ -51,6 +51,7 @@
     if (points.length === 0) return [element("p", { class: "note" }, `No run has this error (${study.metrics[entry.metric].title} of ${entry.of}) on this scene.`)];
     return [
       plot((width) => plotting.errorPlot(study, gibench.plots, scene, key, width), `${study.metrics[entry.metric].title} of ${entry.of} against time.`, key === first ? [`${stem}.svg`, `${stem}.pdf`] : [], note),
+      ...plotting.sweeps(study, scene, key).map((sweep) => plot((width) => plotting.sweepPlot(study, gibench.plots, key, width, sweep), `${study.metrics[entry.metric].title} of ${entry.of} against ${sweep.name}.`, key === first ? [`${stem}-${sweep.name}.svg`, `${stem}-${sweep.name}.pdf`] : [])),
       plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), "Where the time goes.", [`${stages}.svg`, `${stages}.pdf`]),
     ];
   }

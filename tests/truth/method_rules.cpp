@@ -24,7 +24,14 @@ const std::vector<MethodRule>& rules() {
     meshless.clearance = 0.02;
     // At default settings one of P24's values (ceiling centre, one bounce) is 2.3% off: the noise of a coarsest gather.
     meshless.short_of = {"P24"};
-    return std::vector<MethodRule>{pathtracer, meshless};
+    MethodRule spectral;
+    spectral.method = "spectral";
+    spectral.tolerance = 0.02;
+    spectral.clearance = 0.02;
+    // Not yet judged: their runs took too long on the machine at hand.
+    spectral.short_of = {"P25", "P26", "P27a", "P27b", "P27c", "P28", "P29", "P30", "P31", "P32",
+                         "P33", "P34", "P35",  "P36",  "P37",  "P38", "P39", "P40", "P41"};
+    return std::vector<MethodRule>{pathtracer, meshless, spectral};
   }();
   return all;
 }

@@ -1,0 +1,226 @@
+/// The spectral mesh basis: its precomputation beside bare rays, its relit frame, its sparse product beside Eigen's.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/micro/cpu_clock.h"
+#include "bench/micro/interleaved.h"
+#include "bench/micro/method_timing.h"
+#include "common/core/error.h"
+#include "common/core/random.h"
+#include "common/scene/load.h"
+#include "methods/spectral/relighting.h"
+#include "methods/spectral/transfer.h"
+#include "methods/spectral/vertex_light.h"
+
+namespace gibench::micro {
+namespace {
+
+using namespace spectral;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+Scene window_room() { return load_scene(std::filesystem::path(GIBENCH_SCENE_FOLDER) / "window-room.scene.json"); }
+
+constexpr const char* wanted_vertices = "23500";  // gives 31 000
+
+spectral::Settings settings(const Settings& chosen) { return settings_from(Parameters(settings_schema(), chosen)); }
+
+double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Rays, basis and rounding of a coarse mesh with the paper's 16 384 rays a vertex, beside Embree alone on as many rays of the
+/// same kind: as many from each point, in no order.
+void precomputation(benchmark::State& state) {
+  const auto threads = static_cast<int>(state.range(0));
+  const World world(window_room(), threads);
+  const BareEmbree bare(world.scene());
+  const std::vector<Ray> gathers = cosine_rays(world, {.count = 1U << 19, .rays_per_point = 1U << 14});
+  const std::vector<Ray> segments = cosine_rays(world, {.count = 1U << 16, .length = 0.3F, .seed = 2});
+  time_against_bare(state, bare, gathers, segments, threads, [&] {
+    Task task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}});
+    const double start = process_seconds();
+    const TransferMaking made =
+        make_transfer(world, settings({{"vertices", "600"}, {"rays", "16384"}, {"basis_functions", "128"}}), {}, task);
+    const double seconds = process_seconds() - start;
+    GIBENCH_CHECK(succeeded(made.termination), "it was not made");
+    return Work{seconds, task.counters()};
+  });
+}
+BENCHMARK(precomputation)->Arg(1)->Arg(2)->ArgName("threads")->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(2);
+
+TransferWish wish_of(const World& world) {
+  TransferWish wish;
+  for (std::uint32_t object = 0; object < world.scene().objects.size(); ++object)
+    wish.reflectance.emplace_back(world.scene().material_of_object(object).diffuse / pi);
+  return wish;
+}
+
+/// The indirect light of the window room under its sky, all bounces, one value a slot.
+std::vector<Rgb4> relit_room(const World& world, const Transfer& transfer, Task& task) {
+  const DirectLight light(world, Lighting::of(world.scene()));
+  const std::vector<Rgb4> direct = direct_irradiance(world, transfer, light, settings({{"direct_samples", "64"}}), task);
+  std::vector<Rgb4> reflectance;
+  for (const std::uint32_t vertex : transfer.vertex_of_slot)
+    reflectance.emplace_back(world.scene().material_of_object(transfer.mesh->vertices()[vertex].object).diffuse / pi);
+  return relight(transfer, direct, reflectance, {}, task).irradiance;
+}
+
+/// Mean square of (x − A)(x − B) over that of A·B: the squared relative error of x against the truth behind A and B.
+double squared_error(const std::vector<Rgb4>& x, const std::vector<Rgb4>& a, const std::vector<Rgb4>& b) {
+  double squares = 0.0, errors = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    squares += static_cast<double>(a[i].g) * static_cast<double>(b[i].g);
+    errors += static_cast<double>(x[i].g - a[i].g) * static_cast<double>(x[i].g - b[i].g);
+  }
+  return errors / squares;
+}
+
+/// What compression leaves of the matrix, and what it adds to the error of the room's indirect light, all bounces (root mean
+/// square over vertices; in quadrature), beside the error that the rays alone make. Arguments: thousandths that it may add, rays
+/// a vertex.
+void compression(benchmark::State& state) {
+  const World world(window_room());
+  const std::string rays = std::to_string(state.range(1)), error = std::to_string(1e-3 * static_cast<double>(state.range(0)));
+  const auto transfer_with = [&](const std::string& compression_error, std::uint64_t seed) {
+    Task task({.seed = seed, .threads = 0, .cancel = {}, .on_progress = {}});
+    TransferMaking made =
+        make_transfer(world, settings({{"vertices", wanted_vertices}, {"rays", rays}, {"compression_error", compression_error}}),
+                      wish_of(world), task);
+    GIBENCH_CHECK(succeeded(made.termination), "it was not made");
+    return std::move(made.transfer);
+  };
+  Task task;
+  for (auto _ : state) {
+    const std::vector<Rgb4> first = relit_room(world, transfer_with("0", 2), task),
+                            second = relit_room(world, transfer_with("0", 3), task);
+    const std::vector<Rgb4> whole = relit_room(world, transfer_with("0", 1), task);
+    const Transfer rounded = transfer_with(error, 1);
+    const double of_rays = squared_error(whole, first, second),
+                 of_both = squared_error(relit_room(world, rounded, task), first, second);
+    state.counters["error_of_rays"] = std::sqrt(std::max(0.0, of_rays));
+    state.counters["added_error"] = std::sqrt(std::max(0.0, of_both - of_rays));
+    state.counters["coefficients_per_vertex"] =
+        static_cast<double>(rounded.one_bounce.coefficients()) / static_cast<double>(whole.size());
+    state.counters["matrix_bytes"] = static_cast<double>(rounded.one_bounce.bytes());
+    state.counters["basis_bytes"] = static_cast<double>(rounded.basis.bytes());
+  }
+}
+BENCHMARK(compression)
+    ->ArgsProduct({{10, 20, 40}, {1024}})
+    ->ArgNames({"thousandths", "rays"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
+/// The window room with 31 000 vertices and 1024 functions; few rays, which the product's shape hardly depends on.
+struct Room {
+  World world{window_room()};
+  Task task;
+  TransferMaking made = make_transfer(
+      world, settings({{"vertices", wanted_vertices}, {"rays", "1024"}, {"compression_error", "0.02"}}), wish_of(world), task);
+  std::vector<Rgb4> direct, reflectance, light;
+
+  Room() {
+    GIBENCH_CHECK(succeeded(made.termination), "it was not made");
+    RandomStream random(1, 2, 3);
+    for (std::uint32_t slot = 0; slot < made.transfer.basis.slots(); ++slot) {
+      direct.emplace_back(Rgb(random.next_float(), random.next_float(), random.next_float()));
+      reflectance.emplace_back(Rgb(0.25F, 0.2F, 0.15F));
+    }
+    for (std::uint32_t c = 0; c < made.transfer.basis.columns(); ++c) light.emplace_back(Rgb(random.next_float()));
+  }
+  const TransferMatrix& matrix() const { return made.transfer.one_bounce; }
+};
+Room& room() {
+  static Room made;
+  return made;
+}
+
+void count_room(benchmark::State& state) {
+  state.counters["vertices"] = static_cast<double>(room().direct.size());
+  state.counters["functions"] = static_cast<double>(room().made.transfer.basis.functions());
+  state.counters["coefficients_per_vertex"] =
+      static_cast<double>(room().matrix().coefficients()) / static_cast<double>(room().direct.size());
+  state.counters["matrix_bytes"] = static_cast<double>(room().matrix().bytes());
+}
+
+/// Project, bounce three times, reconstruct at all vertices. `bytes_per_second`: matrix and basis, read once a bounce.
+void relit_frame(benchmark::State& state) {
+  Task task({.seed = 1, .threads = static_cast<int>(state.range(0)), .cancel = {}, .on_progress = {}});
+  constexpr int bounces = 3;
+  room();
+  for (auto _ : state) {
+    const Relit relit = relight(room().made.transfer, room().direct, room().reflectance,
+                                {.planned = bounces, .most = bounces, .residual = 1e-9}, task);
+    benchmark::DoNotOptimize(relit.irradiance.data());
+  }
+  const auto bytes = static_cast<std::int64_t>(room().matrix().bytes() + room().made.transfer.basis.bytes());
+  state.SetBytesProcessed(bounces * bytes * static_cast<std::int64_t>(state.iterations()));
+  count_room(state);
+}
+BENCHMARK(relit_frame)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// The product alone and Eigen's of the same matrix in 32-bit floats, in turn, each on one thread; and a copy of as many bytes.
+void product_over_eigen(benchmark::State& state) {
+  const TransferMatrix& matrix = room().matrix();
+  const auto rows = static_cast<Eigen::Index>(matrix.rows()), columns = static_cast<Eigen::Index>(matrix.columns());
+  Eigen::SparseMatrix<float, Eigen::RowMajor> sparse(rows, columns);
+  std::vector<Eigen::Triplet<float>> entries;
+  std::vector<double> dense(matrix.columns());
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    std::fill(dense.begin(), dense.end(), 0.0);
+    matrix.add_row_to(static_cast<std::size_t>(r), 1.0F, dense);
+    for (Eigen::Index c = 0; c < columns; ++c)
+      if (const double value = dense[static_cast<std::size_t>(c)]; value != 0.0)
+        entries.emplace_back(r, c, static_cast<float>(value));
+  }
+  sparse.setFromTriplets(entries.begin(), entries.end());
+  sparse.makeCompressed();
+  Eigen::Matrix<float, Eigen::Dynamic, 3> light(columns, 3), answer(rows, 3);
+  Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> light_by_row, answer_by_row(rows, 3);
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    const Rgb value = room().light[static_cast<std::size_t>(c)];
+    light.row(c) << value.r, value.g, value.b;
+  }
+  light_by_row = light;
+  std::vector<Rgb4> out(matrix.rows());
+  std::vector<unsigned char> from(matrix.bytes(), 1), to(matrix.bytes(), 0);
+  Task task({.seed = 1, .threads = 1, .cancel = {}, .on_progress = {}});
+  const auto timed = [](const auto& work) {
+    const double start = wall_seconds();
+    work();
+    benchmark::ClobberMemory();
+    return wall_seconds() - start;
+  };
+  std::vector<double> ratios, by_row_ratios, seconds, copies;
+  for (auto _ : state) {
+    const double own = timed([&] { matrix.multiply(room().light, out, task); });
+    const double eigen = timed([&] { answer.noalias() = sparse * light; });
+    const double by_row = timed([&] { answer_by_row.noalias() = sparse * light_by_row; });
+    const double again = timed([&] { matrix.multiply(room().light, out, task); });
+    copies.push_back(timed([&] { std::memcpy(to.data(), from.data(), from.size()); }));
+    seconds.push_back(0.5 * (own + again));
+    ratios.push_back(eigen / seconds.back());
+    by_row_ratios.push_back(by_row / seconds.back());
+    state.SetIterationTime(seconds.back());
+  }
+  for (Eigen::Index r = 0; r < rows; r += 97)
+    if (std::fabs(out[static_cast<std::size_t>(r)].r - answer(r, 0)) > 1e-3F * std::fabs(answer(r, 0)) + 1e-3F)
+      state.SkipWithError("the products differ");
+  state.counters["eigen_over_own"] = median(ratios);
+  state.counters["eigen_by_row_over_own"] = median(by_row_ratios);
+  state.counters["bytes_per_second"] = static_cast<double>(matrix.bytes()) / median(seconds);
+  state.counters["copied_bytes_per_second"] = 2.0 * static_cast<double>(matrix.bytes()) / median(copies);
+  count_room(state);
+}
+BENCHMARK(product_over_eigen)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace gibench::micro

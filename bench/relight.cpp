@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bench/cancellation.h"
+#include "bench/light_path.h"
+#include "bench/measuring_options.h"
+#include "bench/print_json.h"
+#include "bench/reference_making.h"
+#include "bench/run_method.h"
+#include "bench/verbs.h"
+#include "common/core/atomic_file.h"
+#include "common/core/error.h"
+#include "common/metrics/errors.h"
+#include "methods/registry.h"
+
+namespace gibench {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RelightOptions {
+  std::string scene, method;
+  std::vector<std::string> settings;
+  std::filesystem::path path, out;
+  std::optional<int> frames, bounces;
+  std::size_t surface_samples = 1024;
+  std::uint64_t reference_samples = 0;
+};
+
+constexpr int reference_replicas = 8;
+
+/// One relit frame: its cost, and its errors where a reference was asked for.
+struct FrameRecord {
+  double at = 0.0;
+  std::vector<std::string> switched;  ///< names of materials
+  double relight_seconds = 0.0, shade_seconds = 0.0;
+  Termination termination = Termination::done;
+  std::map<std::string, ErrorTable> errors;  ///< by component
+  double reference_seconds = 0.0;
+  double reference_rmse = 0.0;  ///< of the reference's own indirect light, W/m²
+};
+
+void require_relighting(const MethodChoice& choice) {
+  if (choice.entry->make(choice.parameters)->capabilities().relights) return;
+  std::string known;
+  for (const MethodEntry& entry : all_methods())
+    if (entry.make(Parameters(entry.schema, {}))->capabilities().relights) known += (known.empty() ? "" : ", ") + entry.name;
+  throw InputError("--method", fmt::format("{} does not relight: new lights cost it as much as a new scene", choice.entry->name),
+                   known.empty() ? "no method does" : "known to relight: " + known);
+}
+
+Lighting lighting_of(const PathFrame& frame) {
+  Lighting lighting{frame.lights, {}};
+  for (const Material& material : frame.materials) lighting.emission.push_back(material.emission);
+  return lighting;
+}
+
+/// Of the mean over all replicates, channels together.
+double root_mean_variance(const Replicas& replicas) {
+  double sum = 0.0;
+  for (const Rgb& v : replicas.variance_of_mean()) sum += static_cast<double>(v.r + v.g + v.b) / 3.0;
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, replicas.size())));
+}
+
+class Relighter {
+ public:
+  Relighter(const RelightOptions& options, const CommonOptions& common, const MethodChoice& choice, Scene scene)
+      : options_(options), common_(common), choice_(choice), task_(make_task(common, scene.name + ", " + choice.entry->name)) {
+    world_ = std::make_unique<World>(std::move(scene), common.threads);
+    question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
+    points_ = measuring_points(*world_, question_, common.threads);
+  }
+
+  void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, options_.bounces, task_, log); }
+  double prepare_seconds() const { return lit_.stages.front().report.seconds; }
+  const Scene& scene() const { return world_->scene(); }
+
+  FrameRecord relight(const PathFrame& frame) {
+    FrameRecord record;
+    record.at = frame.at;
+    const Lighting lighting = lighting_of(frame);
+    if (frame.switched.empty()) keep(record, lit_.method->light(lighting, task_));
+    else switch_materials(frame, lighting, record);
+    const Answers answers = shade_surface(*lit_.method, points_, task_);
+    require_success(answers.report, choice_.entry->name, "shade");
+    record.shade_seconds = answers.report.seconds;
+    if (options_.reference_samples > 0) compare(frame, answers, record);
+    return record;
+  }
+
+ private:
+  void keep(FrameRecord& record, const StageReport& report) {
+    require_success(report, choice_.entry->name, fmt::format("relighting at {:.3g}", record.at));
+    record.relight_seconds += report.seconds;
+    record.termination = report.termination;
+  }
+
+  /// The same geometry with the frame's lights and materials.
+  Scene scene_at(const PathFrame& frame) const {
+    Scene scene = world_->scene();
+    scene.lights = frame.lights;
+    scene.materials = frame.materials;
+    return scene;
+  }
+
+  void switch_materials(const PathFrame& frame, const Lighting& lighting, FrameRecord& record) {
+    auto after = std::make_unique<World>(scene_at(frame), common_.threads);
+    for (const MaterialEdit& edit : frame.switched) {
+      keep(record, lit_.method->edit(edit, *after, lighting, task_));
+      record.switched.push_back(edit.material);
+    }
+    world_ = std::move(after);
+  }
+
+  void compare(const PathFrame& frame, const Answers& answers, FrameRecord& record) const {
+    LoadedScene lit{std::make_unique<World>(scene_at(frame), common_.threads)};
+    Reference reference{question_, 0, 0.0, {}, {}};
+    CommonOptions quietly = common_;
+    quietly.quiet = true;
+    extend_reference(lit, options_.bounces, {.count = reference_replicas}, {options_.reference_samples, std::nullopt}, quietly,
+                     reference, [](const Reference&) {});
+    record.errors["direct"] = value_errors(answers.direct, reference.surface.direct);
+    record.errors["indirect"] = value_errors(answers.indirect, reference.surface.indirect);
+    const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);
+    record.errors["total"] = value_errors(answers.total(), total);
+    record.reference_seconds = reference.seconds;
+    record.reference_rmse = root_mean_variance(reference.surface.indirect);
+  }
+
+  const RelightOptions& options_;
+  const CommonOptions& common_;
+  const MethodChoice& choice_;
+  Task task_;
+  std::unique_ptr<World> world_;
+  ReferenceQuestion question_;
+  MeasuringPoints points_;
+  LitMethod lit_;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+template <class Of>
+double median_of(const std::vector<FrameRecord>& frames, const Of& of) {
+  std::vector<double> values;
+  for (const FrameRecord& frame : frames) values.push_back(of(frame));
+  return median(std::move(values));
+}
+
+/// The error of the indirect light, W/m²; nothing where it is not known or below the reference's noise.
+std::optional<double> indirect_error(const FrameRecord& frame) {
+  const auto component = frame.errors.find("indirect");
+  if (component == frame.errors.end()) return std::nullopt;
+  const auto error = component->second.find("rmse");
+  if (error == component->second.end() || !std::isfinite(error->second.value) || error->second.below_noise_floor)
+    return std::nullopt;
+  return error->second.value;
+}
+
+/// What path tracing the same points to the same indirect error takes: its error falls with the root of its time.
+std::optional<double> path_tracing_seconds(const FrameRecord& frame) {
+  const auto error = indirect_error(frame);
+  if (!error || !(*error > 0.0) || !(frame.reference_rmse > 0.0)) return std::nullopt;
+  return frame.reference_seconds * std::pow(frame.reference_rmse / *error, 2.0);
+}
+
+Json frame_json(const FrameRecord& frame) {
+  Json json{{"at", frame.at},
+            {"switched", frame.switched},
+            {"seconds", {{"relight", frame.relight_seconds}, {"shade", frame.shade_seconds}}},
+            {"termination", to_string(frame.termination)}};
+  for (const auto& [component, table] : frame.errors)
+    for (const auto& [metric, error] : table) {
+      if (!std::isfinite(error.value)) continue;
+      Json& value = json["errors"][component][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
+      if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
+    }
+  if (frame.reference_seconds > 0.0) json["reference"] = {{"seconds", frame.reference_seconds}, {"rmse", frame.reference_rmse}};
+  if (const auto seconds = path_tracing_seconds(frame)) json["path_tracing_seconds_at_equal_error"] = *seconds;
+  return json;
+}
+
+Json summary_json(double prepare_seconds, const std::vector<FrameRecord>& frames) {
+  const double relight = median_of(frames, [](const FrameRecord& f) { return f.relight_seconds; });
+  const double shade = median_of(frames, [](const FrameRecord& f) { return f.shade_seconds; });
+  Json json{{"prepare_seconds", prepare_seconds}, {"median_seconds", {{"relight", relight}, {"shade", shade}}}};
+  std::vector<double> traced;
+  for (const FrameRecord& frame : frames)
+    if (const auto seconds = path_tracing_seconds(frame)) traced.push_back(*seconds);
+  if (traced.empty()) return json;
+  const double path_tracing = median(std::move(traced)), frame = relight + shade;
+  json["path_tracing_seconds_at_equal_error"] = path_tracing;
+  json["path_tracing_over_frame"] = path_tracing / frame;
+  if (path_tracing > frame) json["frames_that_pay_for_prepare"] = std::ceil(prepare_seconds / (path_tracing - frame));
+  return json;
+}
+
+void print_summary(const Json& summary, std::size_t frames) {
+  fmt::print("{} frames after {:.3f} s of preparing\n", frames, summary["prepare_seconds"].get<double>());
+  fmt::print("  median frame   {:.4f} s relighting, {:.4f} s shading\n", summary["median_seconds"]["relight"].get<double>(),
+             summary["median_seconds"]["shade"].get<double>());
+  if (!summary.contains("path_tracing_seconds_at_equal_error")) return;
+  fmt::print("  path tracing   {:.3f} s at equal indirect error, {:.1f} frames\n",
+             summary["path_tracing_seconds_at_equal_error"].get<double>(), summary["path_tracing_over_frame"].get<double>());
+  if (summary.contains("frames_that_pay_for_prepare"))
+    fmt::print("  preparing      is paid for after {:.0f} frames\n", summary["frames_that_pay_for_prepare"].get<double>());
+}
+
+ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
+  const MethodChoice choice = choose_method(options.method, options.settings);
+  require_relighting(choice);
+  const LoadedScene loaded = load_world(options.scene, common.threads);
+  const std::vector<PathFrame> path = read_light_path(options.path, loaded.scene(), options.frames);
+  RunLog log({}, common.quiet);
+  Relighter relighter(options, common, choice, loaded.scene());
+  relighter.prepare(log);
+  Json json{{"scene", relighter.scene().name}, {"method", choice.entry->name}, {"seed", common.seed}};
+  for (const auto& [name, value] : choice.parameters.values())
+    std::visit([&, key = name](const auto& v) { json["parameters"][key] = v; }, value);
+  std::vector<FrameRecord> frames;
+  for (const PathFrame& frame : path) {
+    frames.push_back(relighter.relight(frame));
+    stop_if_cancelled();
+    json["frames"].push_back(frame_json(frames.back()));
+  }
+  json["summary"] = summary_json(relighter.prepare_seconds(), frames);
+  if (!options.out.empty()) write_file_atomically(options.out, json.dump(2) + "\n");
+  if (common.json) print_json(json);
+  else if (!common.quiet) print_summary(json["summary"], frames.size());
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_relight(CLI::App& app, Call& call) {
+  CLI::App* verb =
+      add_verb(app, call, "relight", "Lights along a path, materials that switch: time and error of each relit frame");
+  const auto options = std::make_shared<RelightOptions>();
+  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
+  verb->add_option("--method", options->method, "Method that relights; see gibench list methods")->required();
+  verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
+  verb->add_option("--lights", options->path, "JSON file of the path; see scenes/README.md")->required();
+  verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
+  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which irradiance is asked and compared")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  verb->add_option("--reference-samples", options->reference_samples,
+                   "Paths a value in each of eight path-traced replicates that every frame is compared with; 0: no errors")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20))
+      ->capture_default_str();
+  verb->add_option("--out", options->out, "JSON file for the frames; with --json they go to stdout");
+  add_bounces_option(*verb, options->bounces);
+  verb->callback([&call, options] { call.action = [&call, options] { return relight(*options, call.common); }; });
+}
+
+}  // namespace gibench

@@ -1,0 +1,68 @@
+/// The spectral mesh basis: eigenvectors of the Laplacian of every submesh (Wang et al. 2007, section 3.1).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/method/task.h"
+#include "methods/spectral/laplacian.h"
+#include "methods/spectral/partition.h"
+#include "methods/spectral/rgb4.h"
+
+namespace gibench::spectral {
+
+/// Values at vertices are kept in slots: the mesh's vertices in the order of the partition.
+class SpectralBasis {
+ public:
+  /// A part's slots and its columns: the functions, and zeros up to a multiple of eight.
+  struct Part {
+    std::uint32_t begin = 0, end = 0;  ///< slots
+    std::uint32_t column = 0;          ///< the first
+    std::uint32_t width = 0;           ///< columns
+    std::uint32_t functions = 0;       ///< that are not padding
+    std::size_t values = 0;            ///< offset of the first slot's row, `width` floats a slot
+  };
+
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(weight_.size()); }
+  std::uint32_t columns() const { return parts_.empty() ? 0 : parts_.back().column + parts_.back().width; }
+  std::uint32_t functions() const;
+  const std::vector<Part>& parts() const { return parts_; }
+  const Part& part_of(std::uint32_t slot) const { return parts_[part_of_slot_[slot]]; }
+  /// s_ℓ at a slot, for the columns of its part.
+  std::span<const float> row(const Part& part, std::uint32_t slot) const {
+    return std::span(values_).subspan(part.values + std::size_t{slot - part.begin} * part.width, part.width);
+  }
+  /// wᵢ of the inner product ⟨f, g⟩ = Σ wᵢ fᵢ gᵢ in which the functions are orthonormal.
+  std::span<const float> weight() const { return weight_; }
+
+  /// ⟨f, s_ℓ⟩ for every column; `values` one a slot, `coefficients` one a column.
+  void project(std::span<const Rgb4> values, std::span<Rgb4> coefficients, Task& task) const;
+  /// Σ_ℓ c_ℓ s_ℓ at every slot.
+  void reconstruct(std::span<const Rgb4> coefficients, std::span<Rgb4> values, Task& task) const;
+
+  /// The function 1, projected: not zero for the first function of every part alone.
+  std::vector<float> constant() const;
+
+  std::size_t bytes() const { return (values_.size() + weight_.size()) * sizeof(float); }
+
+ private:
+  friend struct BasisMaking;
+  std::vector<Part> parts_;
+  std::vector<std::uint16_t> part_of_slot_;
+  std::vector<float> values_, weight_;
+};
+
+/// How making a basis went; the basis counts where `failure` is empty.
+struct BasisMaking {
+  SpectralBasis basis;
+  std::string failure;  ///< one line that names the part
+  std::uint32_t dense_parts = 0, failed_attempts = 0;
+
+  /// `functions`: how many of each part.
+  static BasisMaking make(const SurfaceGraph& graph, const Partition& partition, const std::vector<std::uint32_t>& functions,
+                          Laplacian kind, Task& task);
+};
+
+}  // namespace gibench::spectral

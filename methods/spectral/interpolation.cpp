@@ -1,0 +1,64 @@
+#include "methods/spectral/interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gibench::spectral {
+
+namespace {
+
+constexpr std::size_t triangle_chunk = 512;
+constexpr float inset = 1.0F / 64.0F;  // of a triangle: rays run between points just inside its corners
+constexpr float lift = 1.0F / 256.0F;  // of a triangle's size: how far above it
+
+/// The places just above a triangle's corners.
+struct Lifted {
+  std::array<Vec3, 3> corners;
+  Vec3 up;  // metres
+
+  Lifted(const World& world, const SamplingMesh& mesh, std::uint32_t triangle) {
+    const MeshTriangle& t = mesh.triangles()[triangle];
+    const MeshFace& face = mesh.faces()[t.face];
+    std::array<Vec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = mesh.vertices()[t.corners[i]].position;
+    const Vec3& front = world.normal(face.scene_triangle);
+    const SurfaceSample centre = world.sample_at(face.scene_triangle, Vec2(1.0F / 3.0F), front);
+    const float height = std::max(world.offset(centre), lift * std::sqrt(glm::length(glm::cross(p[1] - p[0], p[2] - p[0]))));
+    up = (face.front ? height : -height) * front;
+    const Vec3 middle = (p[0] + p[1] + p[2]) / 3.0F;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = glm::mix(p[i], middle, 3.0F * inset) + up;
+  }
+};
+
+}  // namespace
+
+Interpolation::Interpolation(const World& world, const SamplingMesh& mesh, Task& task) : cut_edges_(mesh.triangles().size(), 0) {
+  task.parallel_chunks(cut_edges_.size(), triangle_chunk, [&](const ChunkRange& range) {
+    RayStream rays = task.rays(world);
+    for (std::size_t t = range.begin; t < range.end; ++t) {
+      const Lifted lifted(world, mesh, static_cast<std::uint32_t>(t));
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Vec3 &from = lifted.corners[i], &to = lifted.corners[(i + 1) % 3];
+        if (rays.occluded({from, 0.0F, to - from, 1.0F})) cut_edges_[t] = static_cast<std::uint8_t>(cut_edges_[t] | (1U << i));
+      }
+    }
+  });
+}
+
+MeshPoint Interpolation::seen(const World& world, const SamplingMesh& mesh, MeshPoint point, const Vec3& position,
+                              RayStream& rays) const {
+  if (!torn(point.triangle)) return point;
+  const Lifted lifted(world, mesh, point.triangle);
+  const Vec3 from = position + lifted.up;
+  MeshPoint kept = point;
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (rays.occluded({from, 0.0F, lifted.corners[i] - from, 1.0F})) kept.weights[i] = 0.0F;
+    sum += kept.weights[i];
+  }
+  if (!(sum > 0.0F)) return point;
+  for (float& weight : kept.weights) weight /= sum;
+  return kept;
+}
+
+}  // namespace gibench::spectral

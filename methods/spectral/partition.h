@@ -1,0 +1,26 @@
+/// Submeshes: METIS over the graph of the mesh (Wang et al. 2007, section 3.3, figure 3).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "methods/spectral/surface_graph.h"
+
+namespace gibench::spectral {
+
+/// Every part hangs together: the connected pieces of the mesh are cut each by itself into parts of about the wanted
+/// size, and what METIS leaves in two pieces becomes two parts. A vertex without neighbours is a part.
+struct Partition {
+  std::vector<std::uint32_t> order;       ///< vertices, part by part, ascending in each
+  std::vector<std::uint32_t> part_begin;  ///< into order; one more than parts
+
+  std::size_t parts() const { return part_begin.size() - 1; }
+  std::uint32_t part_size(std::size_t part) const { return part_begin[part + 1] - part_begin[part]; }
+};
+
+Partition partition_mesh(const SurfaceGraph& graph, std::uint32_t part_vertices);
+
+/// `total` basis functions shared out over the parts by their vertices: one at least and one a vertex at most.
+std::vector<std::uint32_t> share_out(const Partition& partition, std::uint32_t total);
+
+}  // namespace gibench::spectral

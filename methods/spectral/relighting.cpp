@@ -1,0 +1,143 @@
+#include "methods/spectral/relighting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gibench::spectral {
+
+namespace {
+
+constexpr std::size_t slot_chunk = 4096;
+constexpr double fading = 1.0 - 1e-6;  // ratio of two bounces from which they do not fade
+
+/// Root mean squares over slots.
+struct Change {
+  double change = 0.0, whole = 0.0;
+};
+
+class Frame {
+ public:
+  Frame(const Transfer& transfer, std::span<const Rgb4> direct, std::span<const Rgb4> reflectance, Task& task)
+      : transfer_(transfer),
+        direct_(direct),
+        reflectance_(reflectance),
+        task_(task),
+        leaving_(direct.size()),
+        light_(transfer.basis.columns()) {}
+
+  /// The light that leaves the surfaces, projected: S (ρ/π (E + E_i)); the first time E_i is zero.
+  const std::vector<Rgb4>& projected(const std::vector<Rgb4>* indirect) {
+    task_.parallel_chunks(direct_.size(), slot_chunk, [&](const ChunkRange& range) {
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const Rgb arriving = indirect != nullptr ? Rgb(direct_[i]) + Rgb((*indirect)[i]) : Rgb(direct_[i]);
+        leaving_[i] = Rgb(reflectance_[i]) * arriving;
+      }
+    });
+    transfer_.basis.project(leaving_, light_, task_);
+    return light_;
+  }
+
+  /// As projected() left it.
+  const std::vector<Rgb4>& light() const { return light_; }
+
+  Change change_between(const std::vector<Rgb4>& before, const std::vector<Rgb4>& after) const {
+    std::vector<Change> sums(chunk_count(after.size(), slot_chunk));
+    task_.parallel_chunks(after.size(), slot_chunk, [&](const ChunkRange& range) {
+      Change& sum = sums[range.chunk];
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const Rgb now = after[i], change = now - Rgb(before[i]);
+        sum.change += static_cast<double>(change.r * change.r + change.g * change.g + change.b * change.b);
+        sum.whole += static_cast<double>(now.r * now.r + now.g * now.g + now.b * now.b);
+      }
+    });
+    Change total;
+    for (const Change& sum : sums) total.change += sum.change, total.whole += sum.whole;
+    return {std::sqrt(total.change), std::sqrt(total.whole)};
+  }
+
+  /// A matrix a channel, or one for all.
+  void multiply(const std::vector<TransferMatrix>& by_channel, const std::vector<Rgb4>& light, std::vector<Rgb4>& out) const {
+    by_channel.front().multiply(light, out, task_);
+    std::vector<Rgb4> other(by_channel.size() > 1 ? out.size() : 0);
+    for (std::size_t channel = 1; channel < by_channel.size(); ++channel) {
+      by_channel[channel].multiply(light, other, task_);
+      for (std::size_t i = 0; i < out.size(); ++i) (channel == 1 ? out[i].g : out[i].b) = channel == 1 ? other[i].g : other[i].b;
+    }
+  }
+
+  void gather_harmonics(const std::vector<Rgb4>& light, Relit& relit) const {
+    const Rgb constant(spherical_harmonics({0.0F, 0.0F, 1.0F})[0]);
+    relit.harmonics.resize(transfer_.glossy_slots.size());
+    std::vector<Rgb4> slice(transfer_.glossy_slots.size());
+    for (std::size_t i = 0; i < relit.harmonics.size(); ++i)
+      relit.harmonics[i][0] = Rgb(relit.irradiance[transfer_.glossy_slots[i]]) * constant;
+    for (std::size_t k = 1; k < harmonic_count; ++k) {
+      transfer_.harmonic_slices[k - 1].multiply(light, slice, task_);
+      for (std::size_t i = 0; i < slice.size(); ++i) relit.harmonics[i][k] = slice[i];
+    }
+  }
+
+ private:
+  const Transfer& transfer_;
+  std::span<const Rgb4> direct_, reflectance_;
+  Task& task_;
+  std::vector<Rgb4> leaving_, light_;
+};
+
+/// Bounce after bounce until the plan's bound, or until those left out hold too little to matter.
+void bounce(const Transfer& transfer, const BounceBound& bound, Frame& frame, Relit& relit, Task& task) {
+  const int last = std::min(bound.planned.value_or(bound.most), bound.most);
+  std::vector<Rgb4> before(relit.irradiance.size());
+  double previous = 0.0;
+  relit.termination = Termination::bound_reached;
+  for (int number = 1; number <= last && !task.cancelled(); ++number) {
+    std::swap(before, relit.irradiance);
+    transfer.one_bounce.multiply(frame.projected(number > 1 ? &before : nullptr), relit.irradiance, task);
+    relit.bounces = number;
+    const Change change = frame.change_between(before, relit.irradiance);
+    const double ratio = previous > 0.0 ? change.change / previous : fading;
+    previous = change.change;
+    relit.residual = change.whole > 0.0 ? change.change / change.whole * ratio / std::max(1.0 - fading, 1.0 - ratio) : 0.0;
+    if (relit.residual < bound.residual) {
+      relit.termination = Termination::converged;
+      return;
+    }
+    if (number == last && number > 1 && ratio > fading && !bound.planned) relit.termination = Termination::not_converged;
+  }
+}
+
+void tell(const BounceBound& bound, Relit& relit) {
+  if (relit.termination == Termination::not_converged) relit.message = "the bounces do not fade: the scene absorbs no light";
+  else if (relit.termination == Termination::bound_reached && bound.planned && *bound.planned <= bound.most)
+    relit.message = fmt::format("all {} bounces of the plan computed", *bound.planned);
+  else if (relit.termination == Termination::bound_reached)
+    relit.message =
+        fmt::format("{} bounces computed, relative residual {:.2e}; raise the parameter bounces", relit.bounces, relit.residual);
+}
+
+}  // namespace
+
+Relit relight(const Transfer& transfer, std::span<const Rgb4> direct, std::span<const Rgb4> reflectance, const BounceBound& bound,
+              Task& task) {
+  Relit relit;
+  relit.irradiance.resize(direct.size());
+  Frame frame(transfer, direct, reflectance, task);
+  const bool harmonics = !transfer.harmonic_slices.empty();
+  if (!transfer.all_bounces.empty()) {
+    frame.multiply(transfer.all_bounces, frame.projected(nullptr), relit.irradiance);
+    relit.bounces = bound.planned.value_or(bound.most);
+    if (harmonics) frame.gather_harmonics(frame.projected(&relit.irradiance), relit);
+    return relit;
+  }
+  bounce(transfer, bound, frame, relit, task);
+  // The light that the last bounce gathered: so many reflections as the plan allows.
+  if (harmonics && !task.cancelled()) {
+    frame.gather_harmonics(frame.light(), relit);
+  }
+  tell(bound, relit);
+  return relit;
+}
+
+}  // namespace gibench::spectral

@@ -1,0 +1,35 @@
+/// A relit frame: project the light, bounce it, reconstruct (Wang et al. 2007, figure 4).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/reflectance/spherical_harmonics.h"
+#include "methods/spectral/transfer.h"
+
+namespace gibench::spectral {
+
+/// When the bounces end.
+struct BounceBound {
+  std::optional<int> planned;  ///< reflections between a light and the surface asked about, at most
+  int most = 1000;             ///< computed
+  double residual = 1e-3;      ///< share of the solution that the bounces left out may hold
+};
+
+struct Relit {
+  Termination termination = Termination::done;
+  std::string message;
+  int bounces = 0;
+  double residual = 0.0;
+  std::vector<Rgb4> irradiance;         ///< indirect, W/m², one a slot
+  std::vector<RgbHarmonics> harmonics;  ///< ∫ L h_k cos of the arriving indirect light, one a glossy row
+};
+
+/// `direct`: irradiance straight from the lights, W/m²; `reflectance`: ρ/π, 1/sr; each one a slot. Bounce by bounce
+/// Eᵢ₊₁ = T^s S (ρ/π (E + Eᵢ)), S the projection; or with T* at once.
+Relit relight(const Transfer& transfer, std::span<const Rgb4> direct, std::span<const Rgb4> reflectance, const BounceBound& bound,
+              Task& task);
+
+}  // namespace gibench::spectral

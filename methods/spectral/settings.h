@@ -1,0 +1,46 @@
+/// The parameters of relighting over a spectral mesh basis, with the names of Wang, Zhu, Humphreys 2007.
+#pragma once
+
+#include "common/method/parameters.h"
+
+namespace gibench::spectral {
+
+/// Which Laplacian the basis functions are eigenvectors of.
+enum class Laplacian {
+  cotan,  ///< cotangent weights, orthonormal by area
+  graph,  ///< the paper's: 1 and -1/valence, orthonormal by valence
+};
+/// What the transfer matrix holds.
+enum class Mode {
+  bounces,       ///< T^s: one bounce; the albedos enter at run time
+  fixed_albedo,  ///< T*: all bounces, with the albedos as they were at prepare()
+};
+enum class DirectAnswer {
+  shared,  ///< by the shared evaluator
+  basis,   ///< as the transfer sees it: projected onto the basis (the paper's figure 5d)
+};
+
+struct Settings {
+  // Sampling mesh.
+  int vertices = 0;  ///< wanted; sets the longest edge
+  double crease_degrees = 0.0;
+  // Basis (section 3.1 and 3.3).
+  int part_vertices = 0;
+  int basis_functions = 0;  ///< of the whole scene
+  Laplacian laplacian = Laplacian::cotan;
+  // Transfer (section 3.2).
+  Mode mode = Mode::bounces;
+  int rays = 0;                    ///< of a vertex
+  double compression_error = 0.0;  ///< share of the indirect light that compression may add; 0: 32-bit, nothing dropped
+  // Relighting.
+  int bounces = 0;        ///< most bounces computed
+  double residual = 0.0;  ///< share of the solution that the bounces left out may hold
+  DirectAnswer direct = DirectAnswer::shared;
+  int direct_points = 0;   ///< of a mesh triangle, where its direct light is taken
+  int direct_samples = 0;  ///< light samples at such a point
+};
+
+ParameterSchema settings_schema();
+Settings settings_from(const Parameters& parameters);
+
+}  // namespace gibench::spectral

@@ -1,0 +1,217 @@
+#include "methods/spectral/spectral.h"
+
+#include <algorithm>
+
+#include "methods/spectral/lobe_store.h"
+#include "methods/spectral/relighting.h"
+#include "methods/spectral/vertex_light.h"
+
+namespace gibench {
+
+namespace {
+
+using namespace spectral;
+
+constexpr std::size_t shade_chunk = 256;  // samples
+
+class Spectral : public TransportMethod {
+ public:
+  explicit Spectral(const Settings& settings) : settings_(settings) {}
+
+  Capabilities capabilities() const noexcept override {
+    Capabilities can;
+    can.effects = {Effect::direct, Effect::diffuse_indirect, Effect::glossy_final_bounce, Effect::environment, Effect::occlusion};
+    can.quantities = {Quantity::irradiance, Quantity::radiance};
+    can.direct = settings_.direct == DirectAnswer::basis;
+    can.relights = true;
+    return can;
+  }
+
+  std::optional<std::string> refusal(const Scene& scene) const override {
+    if (scene.triangles.empty()) return "the scene has no surfaces to put a sampling mesh on";
+    for (const Triangle& triangle : scene.triangles) {
+      const auto& [a, b, c] = triangle.corners;
+      if (glm::length(glm::cross(Vec3d(scene.vertices[b] - scene.vertices[a]), Vec3d(scene.vertices[c] - scene.vertices[a]))) >
+          0.0)
+        return std::nullopt;
+    }
+    return "every face of the scene has zero area: there is no surface to put a sampling mesh on";
+  }
+
+  std::size_t bytes() const override {
+    return transfer_.bytes() + relit_.irradiance.size() * sizeof(Rgb4) + relit_.harmonics.size() * sizeof(RgbHarmonics) +
+           direct_.size() * sizeof(Rgb4);
+  }
+
+ private:
+  bool simulates_indirect() const {
+    return plan().simulated.contains(Effect::diffuse_indirect) && plan().max_bounces.value_or(1) > 0;
+  }
+  bool simulates_glossy() const { return simulates_indirect() && plan().simulated.contains(Effect::glossy_final_bounce); }
+  bool needs_mesh() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
+
+  void do_prepare(Task& task, StageReport& report) override {
+    transfer_ = {};
+    relit_ = {};
+    direct_.clear();
+    find_lobes();
+    if (!needs_mesh()) {
+      report.message = "no diffuse interreflection is called for: no mesh made";
+      return;
+    }
+    TransferWish wish;
+    if (simulates_glossy())
+      for (const Object& object : world().scene().objects)
+        wish.glossy_objects.push_back(has_lobe(world().scene().materials[object.material]));
+    if (std::find(wish.glossy_objects.begin(), wish.glossy_objects.end(), true) == wish.glossy_objects.end())
+      wish.glossy_objects.clear();
+    for (std::uint32_t object = 0; object < world().scene().objects.size(); ++object)
+      wish.reflectance.push_back(reflectance_of(object));
+    wish.most_bounces = plan().max_bounces.value_or(0);
+    glossy_objects_ = wish.glossy_objects;
+    TransferMaking made = make_transfer(world(), settings_, wish, task);
+    transfer_ = std::move(made.transfer);
+    report.termination = made.termination;
+    report.message = made.message;
+  }
+
+  void do_light(const Lighting&, Task& task, StageReport& report) override {
+    relit_ = {};
+    direct_.clear();
+    if (!needs_mesh() || direct_light().dark()) {
+      report.message = needs_mesh() ? "no light: nothing to transport" : "nothing to transport";
+      return;
+    }
+    direct_ = direct_irradiance(world(), transfer_, direct_light(), settings_, task);
+    if (task.cancelled()) return;
+    if (simulates_indirect()) {
+      task.progress("direct light", 0.5);
+      std::vector<Rgb4> reflectance;
+      for (const std::uint32_t vertex : transfer_.vertex_of_slot)
+        reflectance.push_back(reflectance_of(transfer_.mesh->vertices()[vertex].object));
+      relit_ = relight(transfer_, direct_, reflectance, {plan().max_bounces, settings_.bounces, settings_.residual}, task);
+      report.termination = relit_.termination;
+      report.message = relit_.message;
+      task.count("bounces", static_cast<std::uint64_t>(relit_.bounces));
+      task.progress("bounces", 1.0, relit_.residual);
+    }
+    if (settings_.direct == DirectAnswer::shared) direct_.clear();
+    else approximate_direct(task);
+  }
+
+  /// Albedos and lobes change in place; what would need other slices or another matrix is prepared again.
+  void do_edit(const SceneEdit& edit, const Lighting& lighting, Task& task, StageReport& report) override {
+    const bool lights_alone = std::holds_alternative<LightEdit>(edit);
+    const bool in_place = lights_alone || (std::holds_alternative<MaterialEdit>(edit) && slices_suffice());
+    if (!in_place) {
+      do_prepare(task, report);
+      if (succeeded(report.termination) && !task.cancelled()) do_light(lighting, task, report);
+      return;
+    }
+    find_lobes();
+    do_light(lighting, task, report);
+  }
+
+  bool slices_suffice() const {
+    if (settings_.mode == Mode::fixed_albedo) return false;
+    if (!simulates_glossy()) return true;
+    const Scene& scene = world().scene();
+    for (std::size_t object = 0; object < scene.objects.size(); ++object)
+      if (has_lobe(scene.materials[scene.objects[object].material]) && (glossy_objects_.empty() || !glossy_objects_[object]))
+        return false;
+    return true;
+  }
+
+  void find_lobes() {
+    lobes_.clear();
+    if (!simulates_glossy()) return;
+    for (const Material& material : world().scene().materials) lobes_.push_back(lobe_store_.lobe_of(material));
+  }
+
+  void approximate_direct(Task& task) {
+    std::vector<Rgb4> light(transfer_.basis.columns());
+    transfer_.basis.project(direct_, light, task);
+    transfer_.basis.reconstruct(light, direct_, task);
+  }
+
+  Rgb reflectance_of(std::uint32_t object) const { return world().scene().material_of_object(object).diffuse / pi; }
+
+  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
+      RayStream rays = task.rays(world());
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const SurfaceSample& sample = request.samples[i];
+        const bool leaving = request.quantity == Quantity::radiance;
+        const std::optional<MeshPoint> point = place_of(sample, rays);
+        const Rgb factor = leaving ? reflectance_of(sample.object) : Rgb(1.0F);
+        if (!answer.direct.empty())
+          answer.direct[i] = between(direct_, point) * factor + (leaving ? direct_light().emission(sample) : Rgb());
+        if (answer.indirect.empty()) continue;
+        answer.indirect[i] = between(relit_.irradiance, point) * factor;
+        if (leaving) answer.indirect[i] += glossy(sample, request.toward_viewer[i], point);
+      }
+    });
+  }
+
+  std::optional<MeshPoint> place_of(const SurfaceSample& sample, RayStream& rays) const {
+    const bool front = glm::dot(world().normal(sample.triangle), sample.normal) >= 0.0F;
+    if (!transfer_.mesh || !sample.lit_side || !transfer_.mesh->covers(sample.triangle, front)) return std::nullopt;
+    const MeshPoint point = transfer_.mesh->locate(sample.triangle, sample.barycentrics, front);
+    return transfer_.interpolation.seen(world(), *transfer_.mesh, point, sample.position, rays);
+  }
+
+  std::uint32_t slot(const MeshPoint& point, std::size_t corner) const {
+    return transfer_.slot_of_vertex[transfer_.mesh->triangles()[point.triangle].corners[corner]];
+  }
+
+  /// Interpolated; a truncated basis may ring below zero, which no irradiance does.
+  Rgb between(const std::vector<Rgb4>& values, const std::optional<MeshPoint>& point) const {
+    if (values.empty() || !point) return {};
+    Rgb sum;
+    for (std::size_t c = 0; c < 3; ++c) sum += Rgb(values[slot(*point, c)]) * point->weights[c];
+    return not_below_zero(sum);
+  }
+  static Rgb not_below_zero(const Rgb& v) { return {std::max(0.0F, v.r), std::max(0.0F, v.g), std::max(0.0F, v.b)}; }
+
+  /// Σ_k ρ_k(ω_o) ∫ L h_k cos (Wang et al. 2007, Eq. 6).
+  Rgb glossy(const SurfaceSample& sample, const Vec3& toward_viewer, const std::optional<MeshPoint>& point) const {
+    const std::uint32_t material = world().scene().objects[sample.object].material;
+    if (!point || relit_.harmonics.empty() || lobes_.empty() || !lobes_[material]) return {};
+    const RgbHarmonics lobe = lobes_[material]->coefficients(sample.normal, toward_viewer);
+    Rgb sum;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const RgbHarmonics& arriving = relit_.harmonics[transfer_.glossy_row[slot(*point, c)]];
+      for (std::size_t k = 0; k < harmonic_count; ++k) sum += lobe[k] * arriving[k] * point->weights[c];
+    }
+    return not_below_zero(sum);
+  }
+
+  Settings settings_;
+  Transfer transfer_;
+  std::vector<bool> glossy_objects_;  ///< whose vertices have harmonic slices; empty: none
+  LobeStore lobe_store_;
+  std::vector<std::shared_ptr<const LobeHarmonics>> lobes_;  ///< one for each material; empty: no glossy light is planned
+  std::vector<Rgb4> direct_;                                 ///< as the basis holds it, where it is asked for
+  Relit relit_;
+};
+
+}  // namespace
+
+MethodEntry spectral_entry() {
+  return {"spectral",
+          "relighting: direct-to-indirect transfer over a spectral mesh basis, precomputed by rays",
+          "Wang, Zhu, Humphreys: Precomputed Radiance Transfer for Real-Time Indirect Lighting using a Spectral Mesh Basis, "
+          "Eurographics Symposium on Rendering 2007",
+          "C(<R[DGS]><RD>*)?[LO]",
+          settings_schema(),
+          [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
+            return std::make_unique<Spectral>(settings_from(parameters));
+          },
+          {{"vertices", "1500"},
+           {"rays", "256"},
+           {"basis_functions", "256"},
+           {"part_vertices", "200"},
+           {"compression_error", "0.01"}}};
+}
+
+}  // namespace gibench

@@ -1,0 +1,49 @@
+/// What the geometry decides once: mesh, basis and transfer matrices.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/method/stage_report.h"
+#include "methods/spectral/basis.h"
+#include "methods/spectral/interpolation.h"
+#include "methods/spectral/settings.h"
+#include "methods/spectral/transfer_matrix.h"
+
+namespace gibench::spectral {
+
+struct Transfer {
+  static constexpr std::uint32_t no_row = 0xffffffffU;
+
+  std::unique_ptr<SamplingMesh> mesh;  ///< empty: nothing was called for
+  Interpolation interpolation;
+  std::vector<std::uint32_t> vertex_of_slot, slot_of_vertex;
+  SpectralBasis basis;
+  TransferMatrix one_bounce;                    ///< T^s, a row a slot
+  std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one a channel
+  std::vector<std::uint32_t> glossy_slots;      ///< the slots that have harmonic slices
+  std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row
+  std::vector<TransferMatrix> harmonic_slices;  ///< T_k^s, k = 1…15; that of the constant harmonic is T^s times it
+
+  std::size_t bytes() const;
+};
+
+/// What prepare() is to make, besides the settings.
+struct TransferWish {
+  std::vector<bool> glossy_objects;  ///< whose vertices get harmonic slices; empty: none
+  std::vector<Rgb4> reflectance;     ///< ρ/π of every object, 1/sr; for T*
+  int most_bounces = 0;              ///< in T*
+};
+
+struct TransferMaking {
+  Transfer transfer;
+  Termination termination = Termination::done;
+  std::string message;
+};
+
+/// Counts parts, vertices, functions, coefficients and bytes in the task.
+TransferMaking make_transfer(const World& world, const Settings& settings, const TransferWish& wish, Task& task);
+
+}  // namespace gibench::spectral

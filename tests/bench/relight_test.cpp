@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/bench/program.h"
+
+namespace gibench::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The room with a point light in place of its lamp.
+Json point_lit_room() {
+  Json scene = room_scene();
+  for (auto& [name, material] : scene["materials"].items()) material.erase("emission");
+  scene["lights"] = Json::array({{{"type", "point"}, {"position", {0.5, 0.8, 0.5}}, {"intensity", {1, 1, 1}}}});
+  return scene;
+}
+
+Json brightening_path() {
+  const Json keys = Json::array({{{"at", 0}, {"intensity", 1}}, {{"at", 1}, {"intensity", {3, 3, 3}}}});
+  return {{"gibench_light_path", 1}, {"frames", 3}, {"lights", Json::array({{{"light", 0}, {"keys", keys}}})}};
+}
+
+Json switch_to(double at, const std::string& material, double albedo) {
+  return {{"at", at}, {"material", material}, {"albedo", albedo}};
+}
+
+Outcome relight(const Workshop& shop, const Json& path, std::vector<std::string> more = {}) {
+  shop.write("lit.scene.json", point_lit_room());
+  shop.write("path.json", path);
+  std::vector<std::string> arguments{"relight",      "lit.scene.json", "--method", "spectral", "--set",
+                                     "vertices=200", "--set",          "rays=64",  "--set",    "basis_functions=50",
+                                     "--lights",     "path.json",      "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return shop.gibench(arguments);
+}
+
+TEST(Relight, EveryFrameHasItsCostAndItsErrors) {
+  const Workshop shop;
+  const Outcome outcome = relight(shop, brightening_path(), {"--reference-samples", "16", "--surface-samples", "64"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json json = outcome.json();
+  ASSERT_EQ(json["frames"].size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json& frame = json["frames"][i];
+    EXPECT_DOUBLE_EQ(frame["at"].get<double>(), 0.5 * static_cast<double>(i));
+    EXPECT_GT(frame["seconds"]["relight"].get<double>(), 0.0);
+    for (const char* component : {"direct", "indirect", "total"}) {
+      const double error = frame["errors"][component]["relative_rmse"]["value"].get<double>();
+      EXPECT_LT(error, 0.25) << component << " of frame " << i;
+    }
+  }
+  EXPECT_GT(json["summary"]["prepare_seconds"].get<double>(), 0.0);
+}
+
+TEST(Relight, FramesAndOutAreTakenFromTheCall) {
+  const Workshop shop;
+  const Outcome outcome = relight(shop, brightening_path(), {"--frames", "2", "--out", "frames.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_EQ(shop.read_json("frames.json")["frames"].size(), 2U);
+}
+
+TEST(Relight, MaterialsSwitchAtTheirTime) {
+  const Workshop shop;
+  const Json path{{"gibench_light_path", 1},
+                  {"frames", 5},
+                  {"switches", Json::array({switch_to(0.4, "wall", 0.2), switch_to(0.9, "wall", 0.5)})}};
+  const Outcome outcome = relight(shop, path, {"--reference-samples", "16", "--surface-samples", "64"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json frames = outcome.json()["frames"];
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(frames[i]["switched"].size(), i == 2 || i == 4 ? 1U : 0U) << i;
+    EXPECT_LT(frames[i]["errors"]["indirect"]["relative_rmse"]["value"].get<double>(), 0.25) << i;
+  }
+}
+
+TEST(Relight, BadPathsNameFilePlaceAndMend) {
+  const Workshop shop;
+  Json unknown_key = brightening_path(), wrong_light = brightening_path(), late = brightening_path(),
+       wrong_kind = brightening_path(), no_material = brightening_path(), bad_albedo = brightening_path();
+  unknown_key["lamps"] = Json::array();
+  wrong_light["lights"][0]["light"] = 7;
+  late["lights"][0]["keys"][0]["at"] = 1, late["lights"][0]["keys"][1]["at"] = 0.5;
+  wrong_kind["lights"][0]["keys"][1]["direction"] = {0, -1, 0};
+  no_material["switches"] = Json::array({switch_to(0.0, "chalk", 0.5)});
+  bad_albedo["switches"] = Json::array({switch_to(0.0, "wall", 1.5)});
+  expect_bad_input(relight(shop, unknown_key), {"path.json", "lamps"});
+  expect_bad_input(relight(shop, wrong_light), {"path.json", "$.lights[0].light", "no light 7"});
+  expect_bad_input(relight(shop, late), {"path.json", "$.lights[0].keys[1].at", "ascending"});
+  expect_bad_input(relight(shop, wrong_kind), {"path.json", "$.lights[0].keys[1]", "direction"});
+  expect_bad_input(relight(shop, no_material), {"path.json", "$.switches[0].material", "chalk"});
+  expect_bad_input(relight(shop, bad_albedo), {"path.json", "$.switches[0].albedo", "1.5"});
+}
+
+}  // namespace
+}  // namespace gibench::test

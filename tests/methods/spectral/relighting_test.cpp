@@ -1,0 +1,100 @@
+#include "methods/spectral/relighting.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rooms.h"
+
+namespace gibench::test {
+namespace {
+
+using namespace spectral;
+
+constexpr float albedo = 0.6F;
+
+std::vector<Rgb4> everywhere(const SpectralRoom& room, const Rgb& value) { return std::vector<Rgb4>(room.slots(), value); }
+
+SpectralRoom small_room(std::vector<std::pair<std::string, std::string>> more = {}, TransferWish wish = {}) {
+  more.insert(more.end(), {{"vertices", "800"}, {"part_vertices", "200"}, {"basis_functions", "100"}, {"rays", "256"}});
+  return SpectralRoom(closed_room(), std::move(more), std::move(wish));
+}
+
+TEST(SpectralRelighting, FurnaceIsTheGeometricSeries) {
+  SpectralRoom room = small_room();
+  // Direct irradiance 1 everywhere: the bounces bring ρ + ρ² + … = ρ/(1 − ρ).
+  const Relit relit = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(albedo / pi)), {}, room.task);
+  EXPECT_EQ(relit.termination, Termination::converged);
+  for (const Rgb4& value : relit.irradiance) EXPECT_NEAR(value.r, albedo / (1.0F - albedo), 0.01F * albedo / (1.0F - albedo));
+}
+
+TEST(SpectralRelighting, BoundedBouncesAreThePartialSums) {
+  SpectralRoom room = small_room();
+  float expected = 0.0F;
+  for (int bounces = 1; bounces <= 4; ++bounces) {
+    expected = albedo * (1.0F + expected);
+    const Relit relit = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(albedo / pi)),
+                                {.planned = bounces, .most = 1000, .residual = 1e-9}, room.task);
+    EXPECT_EQ(relit.termination, Termination::bound_reached);
+    EXPECT_EQ(relit.bounces, bounces);
+    for (const Rgb4& value : relit.irradiance) EXPECT_NEAR(value.r, expected, 0.01F * expected);
+  }
+}
+
+TEST(SpectralRelighting, BlackSurfacesEndAtOnceAndWhiteOnesAreTold) {
+  SpectralRoom room = small_room();
+  const Relit black = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb()), {}, room.task);
+  EXPECT_EQ(black.bounces, 1);
+  for (const Rgb4& value : black.irradiance) EXPECT_EQ(value.r, 0.0F);
+  const Relit white = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(1.0F / pi)),
+                              {.planned = {}, .most = 50}, room.task);
+  EXPECT_FALSE(succeeded(white.termination) && white.message.empty());
+}
+
+TEST(SpectralRelighting, FixedAlbedosGiveWhatTheBouncesGive) {
+  for (const std::optional<int> bound : {std::optional<int>(2), std::optional<int>()}) {
+    SpectralRoom free = small_room({{"compression_error", "0"}});
+    TransferWish wish;
+    wish.reflectance.assign(2, Rgb(0.6F, 0.3F, 0.1F) / pi);
+    wish.most_bounces = bound.value_or(0);
+    SpectralRoom fixed = small_room({{"compression_error", "0"}, {"mode", "fixed_albedo"}}, wish);
+    ASSERT_EQ(fixed.transfer().all_bounces.size(), 3U);
+    std::vector<Rgb4> light, reflectance = everywhere(free, wish.reflectance[0]);
+    for (const std::uint32_t vertex : free.transfer().vertex_of_slot)
+      light.emplace_back(Rgb(free.transfer().mesh->vertices()[vertex].position.y));
+    const Relit one = relight(free.transfer(), light, reflectance, {.planned = bound, .most = 1000, .residual = 1e-8}, free.task);
+    const Relit other = relight(fixed.transfer(), light, reflectance, {.planned = bound, .most = 1000}, fixed.task);
+    for (std::uint32_t slot = 0; slot < free.slots(); ++slot)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(Rgb(other.irradiance[slot])[c], Rgb(one.irradiance[slot])[c], 1e-3F * Rgb(one.irradiance[slot])[c]);
+  }
+}
+
+TEST(SpectralRelighting, GreySurfacesShareOneFoldedMatrix) {
+  TransferWish wish;
+  wish.reflectance.assign(2, Rgb(0.1F));
+  SpectralRoom room = small_room({{"mode", "fixed_albedo"}}, wish);
+  EXPECT_EQ(room.transfer().all_bounces.size(), 1U);
+}
+
+TEST(SpectralRelighting, HarmonicsOfAFurnaceAreThoseOfAHemisphere) {
+  TransferWish wish;
+  wish.glossy_objects = {false, true};
+  SpectralRoom room = small_room({}, wish);
+  const Relit relit = relight(room.transfer(), everywhere(room, Rgb(1.0F)), everywhere(room, Rgb(albedo / pi)), {}, room.task);
+  // Light L from all sides: ∫ L h_k cos is π h_0 L for the constant, and points along the normal for the linear ones, 2π/3 of it.
+  const float light = albedo / (1.0F - albedo) / pi;
+  ASSERT_EQ(relit.harmonics.size(), room.transfer().glossy_slots.size());
+  for (std::size_t row = 0; row < relit.harmonics.size(); ++row) {
+    const Vec3& n = room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[room.transfer().glossy_slots[row]]].normal;
+    const auto& h = relit.harmonics[row];
+    EXPECT_NEAR(h[0].r, 0.282095F * pi * light, 0.02F * light);
+    const float linear = 0.488603F * 2.0F * pi / 3.0F * light;
+    EXPECT_NEAR(h[1].r, linear * n.y, 0.03F * light);
+    EXPECT_NEAR(h[2].r, linear * n.z, 0.03F * light);
+    EXPECT_NEAR(h[3].r, linear * n.x, 0.03F * light);
+  }
+}
+
+}  // namespace
+}  // namespace gibench::test

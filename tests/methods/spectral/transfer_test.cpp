@@ -1,0 +1,278 @@
+#include "methods/spectral/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/random.h"
+#include "rooms.h"
+
+namespace gibench::test {
+namespace {
+
+using namespace spectral;
+using Chosen = std::vector<std::pair<std::string, std::string>>;
+
+std::vector<Rgb4> random_light(std::uint32_t slots) {
+  std::vector<Rgb4> light(slots);
+  RandomStream random(4, 5, 6);
+  for (Rgb4& value : light) value = Rgb(random.next_float(), random.next_float(), 2.0F * random.next_float());
+  return light;
+}
+
+/// Irradiance at every slot by the weights of the rays alone.
+std::vector<RgbDouble> gathered(SpectralRoom& room, const std::vector<Rgb4>& light) {
+  const VertexRays rays = room.rays();
+  TransferRows rows(room.transfer().basis, rays);
+  RayStream stream = room.task.rays(room.world);
+  std::vector<RgbDouble> result;
+  std::vector<float> weights(room.slots());
+  for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
+    rows.nodal(room.transfer().vertex_of_slot[slot], stream, weights);
+    RgbDouble& sum = result.emplace_back();
+    for (std::uint32_t j = 0; j < weights.size(); ++j) sum += RgbDouble(Rgb(light[j])) * static_cast<double>(weights[j]);
+  }
+  return result;
+}
+
+std::vector<Rgb4> transferred(SpectralRoom& room, const std::vector<Rgb4>& light) {
+  std::vector<Rgb4> projected(room.transfer().basis.columns()), result(room.slots());
+  room.transfer().basis.project(light, projected, room.task);
+  room.transfer().one_bounce.multiply(projected, result, room.task);
+  return result;
+}
+
+TEST(SpectralTransfer, CompleteBasisEqualsNodalGatheringThroughTheSameRays) {
+  for (const char* laplacian : {"cotan", "graph"}) {
+    SpectralRoom room(closed_room(), {{"vertices", "500"},
+                                      {"part_vertices", "150"},
+                                      {"basis_functions", "65528"},
+                                      {"rays", "512"},
+                                      {"compression_error", "0"},
+                                      {"laplacian", laplacian}});
+    ASSERT_EQ(room.made.termination, Termination::done) << room.made.message;
+    ASSERT_EQ(room.transfer().basis.functions(), room.slots());
+    const std::vector<Rgb4> light = random_light(room.slots());
+    const std::vector<RgbDouble> expected = gathered(room, light);
+    const std::vector<Rgb4> answer = transferred(room, light);
+    for (std::uint32_t slot = 0; slot < room.slots(); ++slot)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(static_cast<double>(Rgb(answer[slot])[c]), expected[slot][c], 1e-4 * expected[slot][c]);
+  }
+}
+
+TEST(SpectralTransfer, ClosedFurnaceHasOneValueAtEveryVertex) {
+  for (const char* laplacian : {"cotan", "graph"})
+    for (const char* error : {"0", "0.01"}) {
+      SpectralRoom room(closed_room(), {{"vertices", "1500"},
+                                        {"part_vertices", "200"},
+                                        {"basis_functions", "100"},
+                                        {"rays", "256"},
+                                        {"compression_error", error},
+                                        {"laplacian", laplacian}});
+      const std::vector<Rgb4> answer = transferred(room, std::vector<Rgb4>(room.slots(), Rgb(2.0F)));
+      for (const Rgb4& value : answer) EXPECT_NEAR(value.r, 2.0F * pi, 0.01F * 2.0F * pi);
+    }
+}
+
+TEST(SpectralTransfer, SmoothLightNeedsFewFunctions) {
+  SpectralRoom room(closed_room(),
+                    {{"vertices", "1500"}, {"basis_functions", "150"}, {"rays", "256"}, {"compression_error", "0"}});
+  std::vector<Rgb4> light;
+  for (const std::uint32_t vertex : room.transfer().vertex_of_slot) {
+    const Vec3& p = room.transfer().mesh->vertices()[vertex].position;
+    light.emplace_back(Rgb(1.0F + p.x, 2.0F + std::sin(2.0F * p.y), 1.0F + p.z * p.z));
+  }
+  const std::vector<RgbDouble> expected = gathered(room, light);
+  const std::vector<Rgb4> answer = transferred(room, light);
+  // Worst beside the edges of parts, whose functions are flat there.
+  double squares = 0.0, changed = 0.0;
+  for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
+    const double off = static_cast<double>(answer[slot].g) - expected[slot].g;
+    changed += off * off;
+    squares += expected[slot].g * expected[slot].g;
+  }
+  EXPECT_LT(std::sqrt(changed / squares), 0.01);
+}
+
+SpectralRoom compressed_room(const std::string& error, const std::string& rays) {
+  return SpectralRoom(closed_room(),
+                      {{"vertices", "1500"}, {"basis_functions", "200"}, {"rays", rays}, {"compression_error", error}});
+}
+
+/// Mean square of the deviation from the truth, over that of the truth.
+double squared_error(const std::vector<Rgb4>& answer, const std::vector<Rgb4>& truth) {
+  double errors = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < answer.size(); ++i) {
+    errors += std::pow(static_cast<double>(answer[i].r - truth[i].r), 2.0);
+    squares += std::pow(static_cast<double>(truth[i].r), 2.0);
+  }
+  return errors / squares;
+}
+
+TEST(SpectralTransfer, CompressionAddsNoMoreErrorThanAskedFor) {
+  SpectralRoom truth = compressed_room("0", "16384"), exact = compressed_room("0", "256");
+  // A lamp that is none of those tried out: light that falls off with the square of the distance to a point.
+  std::vector<Rgb4> light;
+  for (const std::uint32_t vertex : exact.transfer().vertex_of_slot) {
+    const MeshVertex& at = exact.transfer().mesh->vertices()[vertex];
+    const Vec3 toward = Vec3(0.5F, 1.1F, 1.2F) - at.position;
+    const float squared = glm::dot(toward, toward);
+    light.emplace_back(Rgb(std::max(0.0F, glm::dot(toward, at.normal)) / (squared * std::sqrt(squared))));
+  }
+  const std::vector<Rgb4> expected = transferred(truth, light);
+  const double of_rays = squared_error(transferred(exact, light), expected);
+  std::uint64_t before = exact.transfer().one_bounce.coefficients();
+  for (const auto& [text, error] : {std::pair{"0.003", 0.003}, {"0.01", 0.01}, {"0.03", 0.03}}) {
+    SpectralRoom rounded = compressed_room(text, "256");
+    EXPECT_LT(rounded.transfer().one_bounce.coefficients(), before);
+    before = rounded.transfer().one_bounce.coefficients();
+    // The trial lights are others, and few: their mean square is that of all lights within a factor of two.
+    EXPECT_LT(squared_error(transferred(rounded, light), expected) - of_rays, 2.0 * error * error) << text;
+  }
+}
+
+TEST(SpectralTransfer, RaysAboutOneVertexAreCosineDistributedAndDiffer) {
+  const DirectionSet set(4096, 1);
+  std::vector<Vec3> first(set.size()), second(set.size());
+  set.directions(1, 0, first);
+  set.directions(1, 1, second);
+  EXPECT_NE(first.front(), second.front());
+  for (const auto& directions : {first, second}) {
+    Vec3d mean(0.0);
+    double squared = 0.0;
+    for (const Vec3& d : directions) {
+      mean += Vec3d(d) / 4096.0;
+      squared += static_cast<double>(d.z * d.z) / 4096.0;
+      EXPECT_NEAR(glm::length(d), 1.0F, 1e-5F);
+      EXPECT_GE(d.z, 0.0F);
+    }
+    EXPECT_NEAR(mean.x, 0.0, 2e-3);
+    EXPECT_NEAR(mean.y, 0.0, 2e-3);
+    EXPECT_NEAR(mean.z, 2.0 / 3.0, 2e-3);
+    EXPECT_NEAR(squared, 0.5, 2e-3);
+  }
+}
+
+TEST(SpectralTransfer, NothingPassesAThinWall) {
+  // Two rooms on one floor, a wall of a millimetre between them.
+  SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
+  builder.room("rooms", white, Vec3(0.0F), Vec3(2.0F, 1.0F, 1.0F));
+  builder.block("wall", white, {0.995F, 0.0F, 0.0F}, {0.996F, 1.0F, 1.0F});
+  SpectralRoom room(builder.build("two rooms"), {{"vertices", "2000"}, {"basis_functions", "200"}, {"rays", "256"}});
+  std::vector<Rgb4> light;
+  const auto is_lit = [&](std::uint32_t slot) {
+    return room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]].position.x < 0.9955F;
+  };
+  for (std::uint32_t slot = 0; slot < room.slots(); ++slot) light.emplace_back(Rgb(is_lit(slot) ? 1.0F : 0.0F));
+  const std::vector<Rgb4> answer = transferred(room, light);
+  for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
+    const MeshVertex& vertex = room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]];
+    if (vertex.object == 1 && std::fabs(vertex.normal.x) < 0.5F) continue;  // the wall's edges lie in the room's own walls
+    EXPECT_NEAR(answer[slot].r, is_lit(slot) ? pi : 0.0F, 0.03F * pi);
+  }
+}
+
+TEST(SpectralTransfer, MatrixEqualsItsRows) {
+  TransferMatrix matrix({0.5F, 0.25F, 1.0F, 0.125F, 1, 1, 1, 1, 1, 1}, std::vector<float>(10, 0.0F));
+  TransferMatrix::Block block(matrix);
+  const std::vector<std::vector<float>> rows{
+      {1.0F, 0.1F, -3.0F, 0.0F, 0, 0, 0, 0, 0, 2.0F}, std::vector<float>(10, 0.0F), {0.6F, 0.3F, 0.4F, 0.3F, 1, 2, 3, 4, 5, 6}};
+  const std::vector<std::vector<float>> rounded{
+      {1.0F, 0.0F, -3.0F, 0.0F, 0, 0, 0, 0, 0, 2.0F}, std::vector<float>(10, 0.0F), {0.5F, 0.25F, 0.0F, 0.25F, 1, 2, 3, 4, 5, 6}};
+  for (const auto& row : rows) block.add_row(row);
+  matrix.append(block);
+  EXPECT_EQ(matrix.rows(), 3U);
+  EXPECT_EQ(matrix.coefficients(), 3U + 0U + 9U);
+  std::vector<Rgb4> light;
+  for (int c = 0; c < 10; ++c) light.emplace_back(Rgb(static_cast<float>(c + 1), 1.0F, static_cast<float>(c * c)));
+  std::vector<Rgb4> answer(3);
+  Task task;
+  matrix.multiply(light, answer, task);
+  for (std::size_t r = 0; r < 3; ++r) {
+    Rgb expected;
+    std::vector<double> dense(10, 0.0);
+    for (std::size_t c = 0; c < 10; ++c) expected += Rgb(light[c]) * rounded[r][c];
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(Rgb(answer[r])[channel], expected[channel], 1e-4F);
+    matrix.add_row_to(r, 2.0F, dense);
+    for (std::size_t c = 0; c < 10; ++c) EXPECT_NEAR(dense[c], 2.0 * static_cast<double>(rounded[r][c]), 1e-6);
+  }
+}
+
+TEST(SpectralTransfer, RoundingKeepsARowsAnswerToConstantLight) {
+  const std::vector<float> constant{2.0F, 0.0F, 3.0F, 0.0F, 1.0F};
+  TransferMatrix matrix(std::vector<float>(5, 0.1F), constant);
+  TransferMatrix::Block block(matrix);
+  RandomStream random(1, 1, 1);
+  std::vector<float> expected;
+  for (int i = 0; i < 100; ++i) {
+    std::vector<float> row(5);
+    for (float& value : row) value = random.next_float();
+    expected.push_back(2.0F * row[0] + 3.0F * row[2] + row[4]);
+    block.add_row(row);
+  }
+  matrix.append(block);
+  std::vector<Rgb4> light, answer(100);
+  for (const float c : constant) light.emplace_back(Rgb(c));
+  Task task;
+  matrix.multiply(light, answer, task);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(answer[i].r, expected[i], 0.5F * 0.1F + 1e-4F);
+}
+
+TEST(SpectralTransfer, ValuesBeyondSixteenBitsAreHeldAtTheirEnds) {
+  TransferMatrix matrix({1.0F}, {0.0F});
+  TransferMatrix::Block block(matrix);
+  block.add_row(std::vector<float>{1e9F});
+  block.add_row(std::vector<float>{-1e9F});
+  matrix.append(block);
+  std::vector<Rgb4> light{Rgb(1.0F)}, answer(2);
+  Task task;
+  matrix.multiply(light, answer, task);
+  EXPECT_EQ(answer[0].r, 32767.0F);
+  EXPECT_EQ(answer[1].r, -32767.0F);
+}
+
+/// Light that comes from the room's ceiling alone, gathered at the block's top with each harmonic as weight.
+TEST(SpectralTransfer, HarmonicSlicesAreMomentsOfTheArrivingLight) {
+  TransferWish wish;
+  wish.glossy_objects = {false, true};
+  SpectralRoom room(closed_room(),
+                    {{"vertices", "400"}, {"basis_functions", "65528"}, {"rays", "2048"}, {"compression_error", "0"}}, wish);
+  const Transfer& transfer = room.transfer();
+  ASSERT_EQ(transfer.harmonic_slices.size(), harmonic_count - 1);
+  std::vector<Rgb4> light, projected(transfer.basis.columns());
+  for (const std::uint32_t vertex : transfer.vertex_of_slot)
+    light.emplace_back(Rgb(1.0F + transfer.mesh->vertices()[vertex].position.y));
+  transfer.basis.project(light, projected, room.task);
+  const VertexRays rays = room.rays();
+  RayStream stream = room.task.rays(room.world);
+  for (std::size_t row = 0; row < transfer.glossy_slots.size(); row += 7) {
+    Harmonics expected{};
+    rays.trace(transfer.vertex_of_slot[transfer.glossy_slots[row]], stream, [&](std::span<const MeshHit> hits) {
+      for (const MeshHit& hit : hits) {
+        const Harmonics h = spherical_harmonics(hit.direction);
+        for (std::size_t c = 0; c < 3; ++c)
+          for (std::size_t k = 0; k < harmonic_count; ++k) expected[k] += h[k] * hit.weights[c] * light[hit.slots[c]].r;
+      }
+    });
+    for (std::size_t k = 1; k < harmonic_count; ++k) {
+      std::vector<Rgb4> slice(transfer.glossy_slots.size());
+      transfer.harmonic_slices[k - 1].multiply(projected, slice, room.task);
+      EXPECT_NEAR(slice[row].r, expected[k], 1e-3F);
+    }
+  }
+}
+
+TEST(SpectralTransfer, OnlyWhatIsWishedForIsMade) {
+  SpectralRoom room(closed_room(), {{"vertices", "300"}, {"basis_functions", "20"}, {"rays", "16"}});
+  EXPECT_TRUE(room.transfer().harmonic_slices.empty());
+  EXPECT_TRUE(room.transfer().all_bounces.empty());
+  EXPECT_EQ(room.task.counters()["glossy_vertices"], 0U);
+  // The rays of the vertices, those of the pilot rows with two others each, and those that place the lights tried out.
+  EXPECT_LE(room.task.counters()["closest_hit_rays"], 16U * (room.slots() + 3U * 256U) + 12U);
+}
+
+}  // namespace
+}  // namespace gibench::test
