@@ -56,7 +56,7 @@ Rgb integral(const RgbHarmonics& lobe, const Frame& frame, const Weigh& weigh) {
 
 TEST(SphericalHarmonics, AreOrthonormal) {
   std::array<std::array<double, harmonic_count>, harmonic_count> products{};
-  constexpr int rings = 64, columns = 128;
+  constexpr int rings = 256, columns = 32;  // the error of the rule itself is 2e-4
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < columns; ++j) {
       const float z = (2.0F * (static_cast<float>(i) + 0.5F) / rings) - 1.0F,
