@@ -1,4 +1,4 @@
-# Every library outside the project. METIS, Spectra and OpenMesh come in with the methods that use them.
+# Every library outside the project.
 find_package(Threads REQUIRED)
 find_package(embree 3.13 CONFIG REQUIRED)
 find_package(Eigen3 3.4 CONFIG REQUIRED)
@@ -9,6 +9,7 @@ find_package(nlohmann_json CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(spdlog CONFIG REQUIRED)
 find_package(assimp CONFIG REQUIRED)
+find_package(OpenMesh CONFIG REQUIRED)
 find_package(Boost REQUIRED)
 find_package(GTest CONFIG REQUIRED)
 find_package(benchmark CONFIG REQUIRED)

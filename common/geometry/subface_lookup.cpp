@@ -1,0 +1,93 @@
+#include "common/geometry/subface_lookup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gibench {
+
+namespace {
+
+constexpr float rim = 1e-5F;  // of a barycentric: cells are given what reaches this near to them
+
+std::uint32_t cell_of(float coordinate, std::uint32_t width) {
+  const float scaled = coordinate * static_cast<float>(width);
+  return scaled > 0.0F ? std::min(width - 1, static_cast<std::uint32_t>(scaled)) : 0U;
+}
+
+struct Box {
+  Vec2 low, high;
+  bool meets_triangle() const { return high.x >= 0.0F && high.y >= 0.0F && low.x + low.y <= 1.0F; }
+};
+
+Box box_of(const Subface& subface) {
+  const auto& [a, b, c] = subface.corners;
+  return {glm::min(a, glm::min(b, c)) - Vec2(rim), glm::max(a, glm::max(b, c)) + Vec2(rim)};
+}
+
+}  // namespace
+
+std::uint32_t SubfaceLookup::add_entry(const Subface& subface) {
+  const glm::dvec2 a(subface.corners[0]), b = glm::dvec2(subface.corners[1]) - a, c = glm::dvec2(subface.corners[2]) - a;
+  const double determinant = b.x * c.y - c.x * b.y;
+  const double inverse = determinant != 0.0 ? 1.0 / determinant : 0.0;
+  entries_.push_back({subface.corners[0],
+                      {static_cast<float>(c.y * inverse), static_cast<float>(-c.x * inverse), static_cast<float>(-b.y * inverse),
+                       static_cast<float>(b.x * inverse)},
+                      subface.triangle});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+void SubfaceLookup::add(std::span<const Subface> subfaces) {
+  if (subfaces.size() <= 1) {
+    rasters_.push_back({static_cast<std::uint32_t>(subfaces.size()), static_cast<std::uint32_t>(entries_.size())});
+    if (!subfaces.empty()) add_entry(subfaces.front());
+    return;
+  }
+  const auto width = static_cast<std::uint32_t>(std::ceil(1.5 * std::sqrt(static_cast<double>(subfaces.size()))));
+  rasters_.push_back({width, static_cast<std::uint32_t>(cell_begin_.size())});
+  std::vector<std::vector<std::uint32_t>> cells(std::size_t{width} * width);
+  for (const Subface& subface : subfaces) {
+    const Box box = box_of(subface);
+    if (!box.meets_triangle()) continue;
+    const std::uint32_t entry = add_entry(subface);
+    for (std::uint32_t y = cell_of(box.low.y, width); y <= cell_of(box.high.y, width); ++y)
+      for (std::uint32_t x = cell_of(box.low.x, width); x <= cell_of(box.high.x, width); ++x)
+        cells[std::size_t{y} * width + x].push_back(entry);
+  }
+  for (const auto& cell : cells) {
+    cell_begin_.push_back(static_cast<std::uint32_t>(cell_entries_.size()));
+    cell_entries_.insert(cell_entries_.end(), cell.begin(), cell.end());
+  }
+  cell_begin_.push_back(static_cast<std::uint32_t>(cell_entries_.size()));
+}
+
+SubfacePoint SubfaceLookup::find(std::uint32_t outer, Vec2 barycentrics) const {
+  const Raster& raster = rasters_[outer];
+  if (raster.width == 1) return {entries_[raster.first_cell].triangle, barycentrics.x, barycentrics.y};
+  const std::uint32_t cell =
+      raster.first_cell + cell_of(barycentrics.y, raster.width) * raster.width + cell_of(barycentrics.x, raster.width);
+  SubfacePoint best{};
+  float best_inside = -1e30F;
+  for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
+    const Entry& entry = entries_[cell_entries_[i]];
+    const Vec2 at = barycentrics - entry.corner;
+    const float second = entry.matrix[0] * at.x + entry.matrix[1] * at.y, third = entry.matrix[2] * at.x + entry.matrix[3] * at.y;
+    const float inside = std::min(std::min(second, third), 1.0F - second - third);
+    if (inside > best_inside) {
+      best_inside = inside;
+      best = {entry.triangle, second, third};
+      if (inside >= 0.0F) break;
+    }
+  }
+  // Clamped onto the triangle: the point was outside by rounding at most.
+  best.second = std::clamp(best.second, 0.0F, 1.0F);
+  best.third = std::clamp(best.third, 0.0F, 1.0F - best.second);
+  return best;
+}
+
+std::size_t SubfaceLookup::bytes() const {
+  return rasters_.size() * sizeof(Raster) + (cell_begin_.size() + cell_entries_.size()) * sizeof(std::uint32_t) +
+         entries_.size() * sizeof(Entry);
+}
+
+}  // namespace gibench
