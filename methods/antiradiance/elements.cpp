@@ -42,7 +42,7 @@ Elements::Elements(const World& world, const SamplingMesh& mesh, int points, int
   reach_.assign(count, 0.0F);
   points_.resize(count * points_per_element_);
   for (const MeshVertex& vertex : mesh.vertices()) {
-    objects_.push_back(vertex.object);
+    sheets_.push_back(2 * vertex.object + (vertex.front ? 0 : 1));
     black_back_.push_back(world.scene().objects[vertex.object].two_sided ? 0 : 1);
     area_ += static_cast<double>(vertex.area);
   }
@@ -146,7 +146,7 @@ void Elements::place_disc(const SamplingMesh& mesh, std::uint32_t element) {
 }
 
 std::size_t Elements::bytes() const {
-  return discs_.capacity() * sizeof(Disc) + objects_.capacity() * sizeof(std::uint32_t) + black_back_.capacity() +
+  return discs_.capacity() * sizeof(Disc) + sheets_.capacity() * sizeof(std::uint32_t) + black_back_.capacity() +
          (exposed_share_.capacity() + reach_.capacity()) * sizeof(float) + parts_.capacity() * sizeof(CellPart) +
          part_begin_.capacity() * sizeof(std::uint32_t) + points_.capacity() * sizeof(CellPoint);
 }

@@ -40,7 +40,8 @@ class Elements {
   std::size_t size() const { return discs_.size(); }
   /// Centre: of the exposed part of the cell; normal: the vertex's; area: the exposed part's.
   const Disc& disc(std::uint32_t element) const { return discs_[element]; }
-  std::uint32_t object(std::uint32_t element) const { return objects_[element]; }
+  /// Twice the object, and one more on its back: what one tree of the hierarchy is made over.
+  std::uint32_t sheet(std::uint32_t element) const { return sheets_[element]; }
   /// Share of the cell that is not inside geometry.
   float exposed_share(std::uint32_t element) const { return exposed_share_[element]; }
   /// Whether light that arrives from behind ends here: on one-sided objects. A two-sided sheet has an element each side.
@@ -66,7 +67,7 @@ class Elements {
 
   std::size_t points_per_element_;
   std::vector<Disc> discs_;
-  std::vector<std::uint32_t> objects_;
+  std::vector<std::uint32_t> sheets_;
   std::vector<std::uint8_t> black_back_;
   std::vector<float> exposed_share_, reach_;
   std::vector<CellPart> parts_;

@@ -74,7 +74,8 @@ Hierarchy::Hierarchy(const Elements& elements, Task& task) {
   leaf_of_element_.assign(elements.size(), no_element);
   for (std::uint32_t element = 0; element < elements.size(); ++element)
     if (elements.disc(element).area > 0.0F) order_.push_back(element);
-  // The mesh is made object by object: its vertices are in the order of the objects.
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return elements.sheet(a) < elements.sheet(b); });
   split_all(elements, task);
   fill_nodes(elements);
 }
@@ -86,7 +87,7 @@ void Hierarchy::split_all(const Elements& elements, Task& task) {
   std::uint32_t nodes = 0;
   for (std::uint32_t begin = 0; begin < order_.size();) {
     std::uint32_t end = begin;
-    while (end < order_.size() && elements.object(order_[end]) == elements.object(order_[begin])) ++end;
+    while (end < order_.size() && elements.sheet(order_[end]) == elements.sheet(order_[begin])) ++end;
     level.push_back({nodes, begin, end});
     roots_.push_back(nodes);
     nodes += 2 * (end - begin) - 1;

@@ -1,4 +1,4 @@
-/// The hierarchy of discs: a binary tree for every object, its leaves the elements, built in O(n log n) on all threads.
+/// The hierarchy of discs: a binary tree for every object (for each side of a two-sided one), its leaves the elements, built in O(n log n) on all threads.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace gibench::antiradiance {
 /// A disc that stands for a run of elements. 64 bytes: one line of the cache.
 struct Node {
   Vec3 centre{0.0F};        ///< area-weighted mean of the elements' centres
-  float reach = 0.0F;       ///< metres: the bounding sphere about the centre
+  float reach = 0.0F;       ///< metres: no element's centre is further from the node's
   Vec3 normal{0.0F};        ///< unit; area-weighted mean
   float area = 0.0F;        ///< m²
   float thickness = 0.0F;   ///< metres: no element's centre is further from the disc's plane
