@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/core/error.h"
+#include "methods/antiradiance/antiradiance.h"
 #include "methods/meshless/meshless.h"
 #include "methods/pathtracer/pathtracer.h"
 
@@ -14,6 +15,7 @@ std::span<const MethodEntry> all_methods() {
   static const std::vector<MethodEntry> methods{
       pathtracer_entry(),
       meshless_entry(),
+      antiradiance_entry(),
   };
   return methods;
 }

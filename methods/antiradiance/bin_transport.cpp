@@ -66,8 +66,8 @@ void BinTransport::transport_diffuse(std::span<const Rgb> radiosity, Vector& inc
   unoccluded(incident, task);
 }
 
-void BinTransport::transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident,
-                             Task& task) {
+void BinTransport::transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy,
+                             Vector& incident, Task& task) {
   local_pass(arriving, {true, albedo, glossy}, task);
   unoccluded(incident, task);
 }
@@ -137,11 +137,9 @@ void BinTransport::gather(Task& task) {
         const auto& quad = bins_.bins_of(mask.quad);
         const Light4* from = exitant(links_.senders[link].node());
         Light4 light;
-        for (std::size_t k = 0; k < 4; ++k)
-          add_scaled(light, from[quad[k]], static_cast<float>(mask.send.weights[k]));
+        for (std::size_t k = 0; k < 4; ++k) add_scaled(light, from[quad[k]], static_cast<float>(mask.send.weights[k]));
         const float factor = links_.factors[link] * (pi * per_weight * per_weight);
-        for (std::size_t k = 0; k < 4; ++k)
-          add_scaled(row[quad[k]], light, factor * static_cast<float>(mask.receive.weights[k]));
+        for (std::size_t k = 0; k < 4; ++k) add_scaled(row[quad[k]], light, factor * static_cast<float>(mask.receive.weights[k]));
       }
     }
   });

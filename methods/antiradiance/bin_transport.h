@@ -32,7 +32,8 @@ class BinTransport {
   /// U of diffuse light: radiosities of the leaves' fronts, W/m².
   void transport_diffuse(std::span<const Rgb> radiosity, Vector& incident, Task& task);
   /// U (K − J): `albedo` of every leaf; empty: U (−J) alone. `glossy`: what K has besides, may be null.
-  void transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident, Task& task);
+  void transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident,
+                 Task& task);
   /// U K alone: the next bounce.
   void transport_reflected(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident,
                            Task& task);
@@ -46,7 +47,7 @@ class BinTransport {
 
  private:
   struct LocalRule {
-    bool through;                ///< J
+    bool through;                 ///< J
     std::span<const Rgb> albedo;  ///< of K; empty: none
     const GlossyReflection* glossy;
   };

@@ -43,8 +43,7 @@ DirectionBins::DirectionBins(int resolution) : resolution_(resolution) {
           to_direction((static_cast<float>(column) + 0.5F) * step - 1.0F, (static_cast<float>(row) + 0.5F) * step - 1.0F)));
   for (int row = -1; row < resolution; ++row)
     for (int column = -1; column < resolution; ++column)
-      quads_.push_back(
-          {bin_at(column, row), bin_at(column + 1, row), bin_at(column, row + 1), bin_at(column + 1, row + 1)});
+      quads_.push_back({bin_at(column, row), bin_at(column + 1, row), bin_at(column, row + 1), bin_at(column + 1, row + 1)});
   least_cosine_ = std::sqrt(solid_angle() / pi) / 3.0F;
 }
 

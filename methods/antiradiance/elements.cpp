@@ -73,8 +73,8 @@ void Elements::cut_cells(const World& world, const SamplingMesh& mesh) {
     for (std::size_t k = 0; k < corners; ++k) middle += at(k) / static_cast<float>(corners);
     const Vec3 normal = world.normal(face.scene_triangle) * (face.front ? 1.0F : -1.0F);
     for (std::size_t k = 0; k < corners; ++k)
-      parts_[next[face.corners[k]]++] = {{at(k), 0.5F * (at(k) + at(k + 1)), middle, 0.5F * (at(k) + at(k + corners - 1))},
-                                         normal, face.scene_triangle};
+      parts_[next[face.corners[k]]++] = {
+          {at(k), 0.5F * (at(k) + at(k + 1)), middle, 0.5F * (at(k) + at(k + corners - 1))}, normal, face.scene_triangle};
   }
 }
 
@@ -107,8 +107,7 @@ void Elements::place_points(const World& world, const SamplingMesh& mesh, std::u
     for (const Vec3& corner : one.corners) reach_[element] = std::max(reach_[element], glm::length(corner - centre));
 }
 
-void Elements::find_exposed(const World& world, std::uint32_t element, int backface_rays, std::uint64_t seed,
-                            RayStream& rays) {
+void Elements::find_exposed(const World& world, std::uint32_t element, int backface_rays, std::uint64_t seed, RayStream& rays) {
   std::size_t exposed = 0;
   for (std::size_t k = 0; k < points_per_element_; ++k) {
     const std::size_t index = element * points_per_element_ + k;

@@ -18,15 +18,15 @@ inline constexpr std::uint32_t no_element = 0xffffffffU;
 /// area, a quarter of a parallelogram's.
 struct CellPart {
   std::array<Vec3, 4> corners;
-  Vec3 normal;                ///< unit, of the face on the element's side
+  Vec3 normal;                 ///< unit, of the face on the element's side
   std::uint32_t triangle = 0;  ///< of the scene, in whose plane the part lies
 };
 
 /// A point of a cell, for rays: of all points of an element equal shares of its area.
 struct CellPoint {
-  Vec3 origin;   ///< metres, off the surface on the element's side
-  Vec3 behind;   ///< the same off its other side
-  Vec3 normal;   ///< of the face, on the element's side
+  Vec3 origin;  ///< metres, off the surface on the element's side
+  Vec3 behind;  ///< the same off its other side
+  Vec3 normal;  ///< of the face, on the element's side
   std::uint32_t triangle = 0;
   bool exposed = true;  ///< not inside geometry
 };

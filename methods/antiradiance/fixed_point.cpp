@@ -72,9 +72,9 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr std::size_t patience = 8;     // steps over which a residual must fall
-constexpr double hopeless = 1e6;        // a residual at which no series comes back
-constexpr double krylov_slack = 10.0;   // its residual is that of the equation, not of a step
+constexpr std::size_t patience = 8;    // steps over which a residual must fall
+constexpr double hopeless = 1e6;       // a residual at which no series comes back
+constexpr double krylov_slack = 10.0;  // its residual is that of the equation, not of a step
 
 /// What a series of residuals says about what is to come.
 class Trend {
@@ -87,7 +87,8 @@ class Trend {
   /// Steps still to go at the rate of the last ones; 0 while that is not known.
   double steps_left(double goal) const {
     if (residuals_.size() <= patience) return 0.0;
-    const double rate = std::log(residuals_.back() / residuals_[residuals_.size() - 1 - patience]) / static_cast<double>(patience);
+    const double rate =
+        std::log(residuals_.back() / residuals_[residuals_.size() - 1 - patience]) / static_cast<double>(patience);
     return rate < 0.0 ? std::log(goal / residuals_.back()) / rate : 1e9;
   }
 
@@ -152,8 +153,8 @@ class Solver {
       if (outcome_.residual < rule_.residual) return true;
       trend.add(outcome_.residual);
       if (trend.grows() || trend.steps_left(rule_.residual) > 0.5 * rule_.most_iterations) {
-        outcome_.message = fmt::format("the series {} after {} iterations (residual {:.2e})",
-                                       trend.grows() ? "grew" : "was slow", k, outcome_.residual);
+        outcome_.message = fmt::format("the series {} after {} iterations (residual {:.2e})", trend.grows() ? "grew" : "was slow",
+                                       k, outcome_.residual);
         return false;
       }
     }
@@ -176,8 +177,8 @@ class Solver {
       if (outcome_.residual < rule_.residual) return true;
       trend.add(outcome_.residual);
       if (trend.grows() || trend.steps_left(rule_.residual) > 0.25 * rule_.most_iterations) {
-        outcome_.message = fmt::format("damped steps {} after {} (residual {:.2e})", trend.grows() ? "grew" : "were slow", k,
-                                       outcome_.residual);
+        outcome_.message =
+            fmt::format("damped steps {} after {} (residual {:.2e})", trend.grows() ? "grew" : "were slow", k, outcome_.residual);
         return false;
       }
     }
@@ -204,7 +205,8 @@ class Solver {
       return;
     }
     outcome_.termination = Termination::not_converged;
-    outcome_.message = fmt::format("{}; BiCGSTAB ended with residual {:.2e} after {} iterations", tried, residual, solver.iterations());
+    outcome_.message =
+        fmt::format("{}; BiCGSTAB ended with residual {:.2e} after {} iterations", tried, residual, solver.iterations());
   }
 
   const Vector& b_;

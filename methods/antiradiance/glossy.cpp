@@ -25,8 +25,9 @@ std::string too_narrow_for_bins(const Material& material, int bins) {
     lobe_radius = std::acos(std::pow(0.5F, 1.0F / material.exponent));
   if (material.bsdf == Bsdf::ggx) lobe_radius = std::atan(1.3F * material.roughness * material.roughness);
   if (lobe_radius >= 0.5F * bin_radius) return {};
-  return fmt::format("the lobe of material '{}' (half-width {:.1f} degrees) is narrower than half a directional bin: raise the parameter bins",
-                     material.name, lobe_radius * 180.0F / pi);
+  return fmt::format(
+      "the lobe of material '{}' (half-width {:.1f} degrees) is narrower than half a directional bin: raise the parameter bins",
+      material.name, lobe_radius * 180.0F / pi);
 }
 
 GlossyReflection::GlossyReflection(const Scene& scene, std::span<const std::uint32_t> leaf_materials, const DirectionBins& bins)
@@ -42,7 +43,9 @@ GlossyReflection::GlossyReflection(const Scene& scene, std::span<const std::uint
   for (const std::uint32_t material : leaf_materials) bsdf_of_leaf_.push_back(bsdf_of_material_[material]);
 }
 
-Rgb GlossyReflection::lobe(std::size_t bsdf, const Vec3& out, const Vec3& in) const { return bsdfs_[bsdf].evaluate(out, in).value; }
+Rgb GlossyReflection::lobe(std::size_t bsdf, const Vec3& out, const Vec3& in) const {
+  return bsdfs_[bsdf].evaluate(out, in).value;
+}
 
 void GlossyReflection::reflect(std::size_t leaf, const Vec3& normal, std::span<const float> projected, const float* arriving,
                                float* exitant) const {
@@ -69,8 +72,8 @@ void GlossyReflection::reflect(std::size_t leaf, const Vec3& normal, std::span<c
   }
 }
 
-Rgb GlossyReflection::radiance(std::uint32_t material, const Vec3& normal, const Vec3& toward_viewer, std::span<const float> projected,
-                               const float* arriving) const {
+Rgb GlossyReflection::radiance(std::uint32_t material, const Vec3& normal, const Vec3& toward_viewer,
+                               std::span<const float> projected, const float* arriving) const {
   const int bsdf = bsdf_of_material_[material];
   if (bsdf < 0) return {};
   const Frame frame(normal);

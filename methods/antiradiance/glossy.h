@@ -22,7 +22,8 @@ class GlossyReflection {
 
   /// Adds to `exitant` (radiance by bin, W/(m² sr), four floats each) what the lobe makes of `arriving` (irradiance by bin, W/m²)
   /// on the front of a leaf. `projected`: of projected_bins(). A lobe never gives back more than it is given.
-  void reflect(std::size_t leaf, const Vec3& normal, std::span<const float> projected, const float* arriving, float* exitant) const;
+  void reflect(std::size_t leaf, const Vec3& normal, std::span<const float> projected, const float* arriving,
+               float* exitant) const;
 
   /// Radiance towards a unit direction, W/(m² sr), of the lobe alone.
   Rgb radiance(std::uint32_t material, const Vec3& normal, const Vec3& toward_viewer, std::span<const float> projected,

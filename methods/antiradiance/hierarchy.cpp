@@ -14,9 +14,7 @@ constexpr std::uint32_t fewest_of_a_split = 16;  // one part in so many: a lopsi
 /// Place and normal in one vector: what a node is split by. Normals count in metres of the node's own object.
 struct Traits {
   float normal_scale;
-  float of(const Disc& disc, int axis) const {
-    return axis < 3 ? disc.centre[axis] : disc.normal[axis - 3] * normal_scale;
-  }
+  float of(const Disc& disc, int axis) const { return axis < 3 ? disc.centre[axis] : disc.normal[axis - 3] * normal_scale; }
 };
 
 struct Spread {
@@ -49,7 +47,8 @@ Spread widest(const Elements& elements, std::span<const std::uint32_t> members) 
 
 /// sin(a + b), 1 from a right angle on.
 float sine_of_sum(float sine_a, float sine_b) {
-  const float cosine_a = std::sqrt(std::max(0.0F, 1.0F - sine_a * sine_a)), cosine_b = std::sqrt(std::max(0.0F, 1.0F - sine_b * sine_b));
+  const float cosine_a = std::sqrt(std::max(0.0F, 1.0F - sine_a * sine_a)),
+              cosine_b = std::sqrt(std::max(0.0F, 1.0F - sine_b * sine_b));
   if (cosine_a * cosine_b <= sine_a * sine_b) return 1.0F;
   return std::min(1.0F, sine_a * cosine_b + cosine_a * sine_b);
 }
@@ -158,7 +157,8 @@ void Hierarchy::fill_nodes(const Elements& elements) {
     node.normal = length > 1e-6F ? normal / length : left.normal;
     node.black_back = left.black_back;
     node.cone_sine = std::max(cone_of(node.normal, left), cone_of(node.normal, right));
-    node.reach = std::max(glm::length(left.centre - node.centre) + left.reach, glm::length(right.centre - node.centre) + right.reach);
+    node.reach =
+        std::max(glm::length(left.centre - node.centre) + left.reach, glm::length(right.centre - node.centre) + right.reach);
     node.thickness = std::max(thickness_of(node, left), thickness_of(node, right));
   }
 }

@@ -1,4 +1,5 @@
-/// The hierarchy of discs: a binary tree for every object (for each side of a two-sided one), its leaves the elements, built in O(n log n) on all threads.
+/// The hierarchy of discs: a binary tree for every object (for each side of a two-sided one), its leaves the elements, built in
+/// O(n log n) on all threads.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +14,12 @@ namespace gibench::antiradiance {
 
 /// A disc that stands for a run of elements. 64 bytes: one line of the cache.
 struct Node {
-  Vec3 centre{0.0F};        ///< area-weighted mean of the elements' centres
-  float reach = 0.0F;       ///< metres: no element's centre is further from the node's
-  Vec3 normal{0.0F};        ///< unit; area-weighted mean
-  float area = 0.0F;        ///< m²
-  float thickness = 0.0F;   ///< metres: no element's centre is further from the disc's plane
-  float cone_sine = 0.0F;   ///< of the half-angle about `normal` that holds all elements' normals; 1 from a right angle on
+  Vec3 centre{0.0F};       ///< area-weighted mean of the elements' centres
+  float reach = 0.0F;      ///< metres: no element's centre is further from the node's
+  Vec3 normal{0.0F};       ///< unit; area-weighted mean
+  float area = 0.0F;       ///< m²
+  float thickness = 0.0F;  ///< metres: no element's centre is further from the disc's plane
+  float cone_sine = 0.0F;  ///< of the half-angle about `normal` that holds all elements' normals; 1 from a right angle on
   std::uint32_t begin = 0, end = 0;  ///< its elements, in Hierarchy::order()
   std::uint32_t right = 0;           ///< the second child; the first is the next node; 0: a leaf
   bool black_back = true;            ///< see Elements::black_back(); one object's elements are all alike

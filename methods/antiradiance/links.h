@@ -33,8 +33,8 @@ struct LinkTable {
 
   std::size_t size() const { return senders.size(); }
   std::size_t bytes() const {
-    return row_begin.capacity() * sizeof(std::uint32_t) + senders.capacity() * sizeof(Sender) + factors.capacity() * sizeof(float) +
-           masks.capacity() * sizeof(LinkMask);
+    return row_begin.capacity() * sizeof(std::uint32_t) + senders.capacity() * sizeof(Sender) +
+           factors.capacity() * sizeof(float) + masks.capacity() * sizeof(LinkMask);
   }
 };
 

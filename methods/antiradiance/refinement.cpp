@@ -46,7 +46,8 @@ class Oracle {
     const float exchange = coaxial_exchange(squared, p.area, q.area);
     u = std::fabs(u), v = std::fabs(v);
     if (!(p.is_leaf() && q.is_leaf())) {
-      const float cosines = std::min(1.0F, (u + stray_u) / std::max(r, 1e-30F)) * std::min(1.0F, (v + stray_v) / std::max(r, 1e-30F));
+      const float cosines =
+          std::min(1.0F, (u + stray_u) / std::max(r, 1e-30F)) * std::min(1.0F, (v + stray_v) / std::max(r, 1e-30F));
       const bool doubtful = u < stray_u || v < stray_v || p.cone_sine > bent_sine || q.cone_sine > bent_sine;
       const float limit = rule_.tolerance * (doubtful ? doubtful_share : 1.0F);
       if (importance(exchange * cosines, p, q, sender) > limit)
@@ -165,7 +166,8 @@ LinkTable assemble(std::vector<Rows>& all, std::size_t nodes, Task& task) {
 LinkTable make_links(const Hierarchy& hierarchy, const RefinementRule& rule, Task& task, RefinementCounts& counts) {
   double area = 0.0;
   for (const std::uint32_t root : hierarchy.roots()) area += static_cast<double>(hierarchy.nodes()[root].area);
-  const Oracle oracle(hierarchy.nodes(), rule, static_cast<float>(area / static_cast<double>(std::max<std::size_t>(1, hierarchy.leaf_count()))));
+  const Oracle oracle(hierarchy.nodes(), rule,
+                      static_cast<float>(area / static_cast<double>(std::max<std::size_t>(1, hierarchy.leaf_count()))));
 
   std::vector<Rows> all;
   std::vector<Receiver> receivers;

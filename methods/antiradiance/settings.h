@@ -30,7 +30,7 @@ struct Settings {
   int direct_samples = 0;
   // Passes of accessibility and disc-bounce.
   int passes = 0;
-  float far_enough = 0;  ///< largest form factor of a node that stands for its elements; 0: every element (naive)
+  float far_enough = 0;      ///< largest form factor of a node that stands for its elements; 0: every element (naive)
   double memory_budget = 0;  ///< bytes
 };
 

@@ -12,7 +12,9 @@ namespace {
 constexpr std::size_t node_chunk = 32, leaf_chunk = 64;
 constexpr std::uint64_t link_stage = 0x6c696e6bULL, closure_stage = 0x636c6f73ULL;
 
-std::size_t pick(float u, std::size_t count) { return std::min(count - 1, static_cast<std::size_t>(u * static_cast<float>(count))); }
+std::size_t pick(float u, std::size_t count) {
+  return std::min(count - 1, static_cast<std::size_t>(u * static_cast<float>(count)));
+}
 
 /// Share of the segments of one link that are free; of those whose ends look away from each other nothing is learnt.
 float free_share(const Elements& elements, const Hierarchy& hierarchy, const Node& to, const Sender& sender, int count,
@@ -29,7 +31,8 @@ float free_share(const Elements& elements, const Hierarchy& hierarchy, const Nod
     const CellPoint &end = receiving[at], &start = sending[pick(random.next_float(), sending.size())];
     const Vec3 origin = sender.to_back() ? end.behind : end.origin, target = sender.from_back() ? start.behind : start.origin;
     const Vec3 way = target - origin;
-    if ((glm::dot(way, end.normal) < 0.0F) != sender.to_back() || (glm::dot(way, start.normal) > 0.0F) != sender.from_back()) continue;
+    if ((glm::dot(way, end.normal) < 0.0F) != sender.to_back() || (glm::dot(way, start.normal) > 0.0F) != sender.from_back())
+      continue;
     ++tried;
     if (start.exposed && !rays.occluded({origin, 0.0F, way, 1.0F})) ++open;
   }
@@ -82,7 +85,8 @@ std::vector<float> closed_shares(const World& world, const Elements& elements, c
         const CellPoint& point = points[static_cast<std::size_t>(ray) % points.size()];
         if (!point.exposed) continue;
         // A rank-1 lattice: the golden ratio against the ray's number.
-        const Vec2 at{shift.x + static_cast<float>(ray) / static_cast<float>(rays), shift.y + 0.61803398875F * static_cast<float>(ray)};
+        const Vec2 at{shift.x + static_cast<float>(ray) / static_cast<float>(rays),
+                      shift.y + 0.61803398875F * static_cast<float>(ray)};
         const Vec3 direction = Frame(point.normal).to_world(cosine_hemisphere(at - glm::floor(at)));
         const Hit hit = stream.closest_hit({point.origin, 0.0F, direction});
         ++tried;

@@ -13,7 +13,8 @@ namespace gibench::antiradiance {
 /// Multiplies every link's factor by the share of `rays` segments between random points of both ends' cells that nothing
 /// stops, and takes out the links that are wholly blocked. Points of the sender inside geometry count as blocked; the receiver's
 /// are drawn from its exposed ones, for which alone its light is meant.
-void trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, LinkTable& links, Task& task);
+void trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, LinkTable& links,
+                 Task& task);
 
 /// For every leaf the cosine-weighted share of its hemisphere in which lit sides of surfaces are seen, [0, 1].
 std::vector<float> closed_shares(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, Task& task);
