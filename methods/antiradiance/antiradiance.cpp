@@ -155,9 +155,10 @@ class Antiradiance : public TransportMethod {
                                                                       : report.message + "; " + solved.message;
     task.count("iterations", static_cast<std::uint64_t>(solved.iterations));
     by_direction_ = solved.by_direction;
-    indirect_.assign(parts_->elements.size(), Rgb());
+    std::vector<Rgb> means(parts_->elements.size());
     for (std::size_t leaf = 0; leaf < solved.irradiance.size(); ++leaf)
-      indirect_[parts_->hierarchy.order()[leaf]] = solved.irradiance[leaf];
+      means[parts_->hierarchy.order()[leaf]] = solved.irradiance[leaf];
+    indirect_ = parts_->reconstruction.vertex_values(means);
   }
 
   Surfaces surfaces_of_leaves() {
@@ -206,26 +207,18 @@ class Antiradiance : public TransportMethod {
     });
   }
 
-  /// Between the elements at the corners of the mesh's triangle, those inside geometry left out: nothing leaks from under a
-  /// block, and nothing from one object or from one side of a crease to another.
+  /// See reconstruction.h.
   Rgb indirect(const SurfaceSample& sample, const Vec3* toward_viewer) const {
     if (indirect_.empty() || !sample.lit_side) return {};
-    const bool front = glm::dot(sample.normal, world().normal(sample.triangle)) >= 0.0F;
-    if (!parts_->mesh.covers(sample.triangle, front)) return {};
-    const MeshPoint at = parts_->mesh.locate(sample.triangle, sample.barycentrics, front);
-    const auto& corners = parts_->mesh.triangles()[at.triangle].corners;
+    const Reconstruction::Place at = Reconstruction::place(world(), parts_->mesh, parts_->elements, sample);
     const Material& material = world().scene().material_of_object(sample.object);
     Rgb sum;
-    float weights = 0.0F;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!(parts_->elements.exposed_share(corners[k]) > 0.0F)) continue;
-      weights += at.weights[k];
-      Rgb value = indirect_[corners[k]];
-      if (toward_viewer != nullptr) value = value * material.diffuse / pi + lobe_radiance(corners[k], sample, *toward_viewer);
+      if (!(at.weights[k] > 0.0F)) continue;
+      Rgb value = indirect_[at.elements[k]];
+      if (toward_viewer != nullptr) value = value * material.diffuse / pi + lobe_radiance(at.elements[k], sample, *toward_viewer);
       sum += value * at.weights[k];
     }
-    if (!(weights > 0.0F)) return {};
-    sum /= weights;
     return settings_.clamp ? Rgb(std::max(0.0F, sum.r), std::max(0.0F, sum.g), std::max(0.0F, sum.b)) : sum;
   }
 
@@ -244,7 +237,7 @@ class Antiradiance : public TransportMethod {
   std::unique_ptr<Discretisation> parts_;
   Linking linking_;
   std::vector<float> closure_;
-  std::vector<Rgb> indirect_;  ///< irradiance of every element, W/m²
+  std::vector<Rgb> indirect_;  ///< irradiance at every vertex, W/m²
   Vector by_direction_;
   std::optional<GlossyReflection> glossy_;
   std::optional<Accessibility> accessibility_;

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "methods/antiradiance/bin_transport.h"
+#include "methods/antiradiance/exchange.h"
 #include "methods/antiradiance/implicit.h"
-#include "methods/antiradiance/near_field.h"
 #include "methods/antiradiance/refinement.h"
 #include "methods/antiradiance/visibility.h"
 
@@ -38,7 +38,8 @@ double table_bytes(const Discretisation& parts, std::size_t bins) {
 Discretisation::Discretisation(const World& world, const Settings& settings, Task& task)
     : mesh(world, mesh_options(world, settings)),
       elements(world, mesh, settings.cell_points, settings.backface_rays, task),
-      hierarchy(elements, task) {}
+      hierarchy(elements, task),
+      reconstruction(world, mesh, elements) {}
 
 std::vector<float> pull(const Hierarchy& hierarchy, std::span<const float> leaves) {
   const auto nodes = hierarchy.nodes();
@@ -101,7 +102,7 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
                                   settings.tolerance);
   task.progress("links", 0.4);
 
-  correct_near_field(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
+  refine_factors(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
   if (visibility == Visibility::traced)
     trace_links(world, parts.elements, parts.hierarchy, settings.visibility_rays, linking.links, task);
   if (visibility == Visibility::nearest) linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, task);

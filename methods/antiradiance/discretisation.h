@@ -11,6 +11,7 @@
 #include "methods/antiradiance/elements.h"
 #include "methods/antiradiance/hierarchy.h"
 #include "methods/antiradiance/links.h"
+#include "methods/antiradiance/reconstruction.h"
 #include "methods/antiradiance/settings.h"
 
 namespace gibench::antiradiance {
@@ -30,7 +31,8 @@ struct Discretisation {
   SamplingMesh mesh;
   Elements elements;
   Hierarchy hierarchy;
-  std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes(); }
+  Reconstruction reconstruction;
+  std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes() + reconstruction.bytes(); }
 };
 
 /// The links of one way of dealing with visibility, and what goes with them.

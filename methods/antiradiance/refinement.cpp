@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t wanted_receivers = 512;  // to be worked on side by side
 constexpr float coplanar = 1e-5F;              // of the pair's extent: below this height over a plane nothing is seen
 constexpr float doubtful_share = 0.25F;        // of the tolerance, for pairs that lie across each other's plane or are bent
+constexpr float uneven_share = 0.005F;         // of the tolerance, times distance over reach: for a receiver's unevenness
 constexpr float bent_sine = 0.35F;             // of a normal cone, about 20 degrees
 
 enum class Verdict : std::uint8_t { drop, link, split_sender, split_receiver };
@@ -46,18 +47,22 @@ class Oracle {
     const float exchange = coaxial_exchange(squared, p.area, q.area);
     u = std::fabs(u), v = std::fabs(v);
     if (!(p.is_leaf() && q.is_leaf())) {
-      const float cosines =
-          std::min(1.0F, (u + stray_u) / std::max(r, 1e-30F)) * std::min(1.0F, (v + stray_v) / std::max(r, 1e-30F));
+      const float to_unit = 1.0F / std::max(r, 1e-30F);
+      const float cosines = std::min(1.0F, (u + stray_u) * to_unit) * std::min(1.0F, (v + stray_v) * to_unit);
       const bool doubtful = u < stray_u || v < stray_v || p.cone_sine > bent_sine || q.cone_sine > bent_sine;
       const float limit = rule_.tolerance * (doubtful ? doubtful_share : 1.0F);
-      if (importance(exchange * cosines, p, q, sender) > limit)
-        return {q.is_leaf() || (!p.is_leaf() && p.area > q.area) ? Verdict::split_receiver : Verdict::split_sender, 0.0F, 0};
+      const float weight = importance(exchange * cosines, p, sender);
+      const bool too_much = weight > limit;
+      // A link's light is the same all over the receiver: its error there is of the first order in the receiver's size.
+      const bool too_wide = weight * p.reach * to_unit > limit * uneven_share;
+      if (too_much && !q.is_leaf() && (p.is_leaf() || q.area >= p.area)) return {Verdict::split_sender, 0.0F, 0};
+      if ((too_much || too_wide) && !p.is_leaf()) return {Verdict::split_receiver, 0.0F, 0};
     }
     if (rule_.facing == Facing::fronts && sides != 0) return {Verdict::drop, 0.0F, 0};
     if (!p.black_back && (sides & Sender::back_receives) != 0) return {Verdict::drop, 0.0F, 0};
-    const float to_unit = r > 0.0F ? 1.0F / r : 0.0F, s = pi * squared + p.area + q.area;
+    const float per_r = r > 0.0F ? 1.0F / r : 0.0F, s = pi * squared + p.area + q.area;
     const float facing = sides == Sender::back_sends || sides == Sender::back_receives ? -m : m;
-    const float factor = exchange * orientation_factor(u * to_unit, v * to_unit, facing, p.area / s, q.area / s) / p.area;
+    const float factor = exchange * orientation_factor(u * per_r, v * per_r, facing, p.area / s, q.area / s) / p.area;
     return {factor > 0.0F ? Verdict::link : Verdict::drop, factor, sides};
   }
 
@@ -68,8 +73,8 @@ class Oracle {
     return std::fabs(u) + stray_u > flat && std::fabs(v) + stray_v > flat;
   }
 
-  float importance(float exchange, const Node& p, const Node& q, std::uint32_t sender) const {
-    if (rule_.radiosity.empty()) return exchange / std::min(p.area, q.area);
+  float importance(float exchange, const Node& p, std::uint32_t sender) const {
+    if (rule_.radiosity.empty()) return exchange / p.area;
     return exchange * rule_.radiosity[sender] * per_power_;
   }
 

@@ -27,7 +27,7 @@ ParameterSchema settings_schema() {
        0,
        {"geometry", "radiosity"},
        "links are accepted by form factor alone, or by form factor times radiosity times area"},
-      {"tolerance", 0.01, 1e-5, 1.0, {}, "largest form factor (times relative radiosity and area) of an accepted link"},
+      {"tolerance", 0.02, 1e-5, 1.0, {}, "largest form factor (times relative radiosity and area) of an accepted link"},
       {"visibility_rays", Whole{4}, 1, 4096, {}, "rays a link, in radiosity mode"},
       {"closure_rays",
        Whole{256},
