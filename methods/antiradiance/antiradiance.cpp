@@ -23,6 +23,7 @@ namespace {
 using namespace antiradiance;
 
 constexpr std::size_t shade_chunk = 64;  // samples
+constexpr std::uint64_t asked_stage = 0x61736b6564ULL;
 
 class Antiradiance : public TransportMethod {
  public:
@@ -202,15 +203,18 @@ class Antiradiance : public TransportMethod {
         if (!answer.direct.empty())
           answer.direct[i] =
               sky_->answer(sample, viewer, mix_keys(task.seed(), i), request.samples.size(), *accessibility_, rays);
-        if (!answer.indirect.empty()) answer.indirect[i] = indirect(sample, viewer);
+        if (!answer.indirect.empty()) answer.indirect[i] = indirect(sample, viewer, task.seed(), rays);
       }
     });
   }
 
   /// See reconstruction.h.
-  Rgb indirect(const SurfaceSample& sample, const Vec3* toward_viewer) const {
+  Rgb indirect(const SurfaceSample& sample, const Vec3* toward_viewer, std::uint64_t seed, RayStream& rays) const {
     if (indirect_.empty() || !sample.lit_side) return {};
     const Reconstruction::Place at = Reconstruction::place(world(), parts_->mesh, parts_->elements, sample);
+    if (at.in_doubt && !is_exposed(world(), world().ray_origin(sample), sample.normal, settings_.backface_rays,
+                                   RandomStream(seed, asked_stage, sample.triangle), rays))
+      return {};
     const Material& material = world().scene().material_of_object(sample.object);
     Rgb sum;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/core/random.h"
 #include "common/core/sampling.h"
 
 namespace gibench::antiradiance {
@@ -33,6 +32,16 @@ Vec3 point_of(const CellPart& part, Vec2 at) {
 }
 
 }  // namespace
+
+bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays) {
+  const Frame frame(normal);
+  for (int ray = 0; ray < count; ++ray) {
+    const Vec3 direction = frame.to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
+    const Hit hit = rays.closest_hit({origin, 0.0F, direction});
+    if (!hit || world.sample_of_hit(hit, direction).lit_side) return true;
+  }
+  return count == 0;
+}
 
 Elements::Elements(const World& world, const SamplingMesh& mesh, int points, int backface_rays, Task& task)
     : points_per_element_(static_cast<std::size_t>(points)) {
@@ -112,14 +121,7 @@ void Elements::find_exposed(const World& world, std::uint32_t element, int backf
   for (std::size_t k = 0; k < points_per_element_; ++k) {
     const std::size_t index = element * points_per_element_ + k;
     CellPoint& point = points_[index];
-    RandomStream random(seed, exposure_stage, index);
-    const Frame frame(point.normal);
-    point.exposed = backface_rays == 0;
-    for (int ray = 0; ray < backface_rays && !point.exposed; ++ray) {
-      const Vec3 direction = frame.to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
-      const Hit hit = rays.closest_hit({point.origin, 0.0F, direction});
-      point.exposed = !hit || world.sample_of_hit(hit, direction).lit_side;
-    }
+    point.exposed = is_exposed(world, point.origin, point.normal, backface_rays, RandomStream(seed, exposure_stage, index), rays);
     if (point.exposed) ++exposed;
   }
   exposed_share_[element] = static_cast<float>(exposed) / static_cast<float>(points_per_element_);

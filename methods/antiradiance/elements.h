@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/core/random.h"
 #include "common/geometry/sampling_mesh.h"
 #include "common/method/task.h"
 #include "methods/antiradiance/form_factor.h"
@@ -30,6 +31,10 @@ struct CellPoint {
   std::uint32_t triangle = 0;
   bool exposed = true;  ///< not inside geometry
 };
+
+/// Whether a point just off a surface is not inside geometry: of `count` cosine-distributed rays about the unit normal one at
+/// least does not meet a black back.
+bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays);
 
 /// The elements in the order of the mesh's vertices; those that are wholly inside geometry take no part in transport.
 class Elements {

@@ -55,6 +55,7 @@ Reconstruction::Place Reconstruction::place(const World& world, const SamplingMe
   float sum = 0.0F;
   for (std::size_t k = 0; k < 3; ++k) {
     result.weights[k] = elements.exposed_share(result.elements[k]) > 0.0F ? at.weights[k] : 0.0F;
+    result.in_doubt |= elements.exposed_share(result.elements[k]) < 1.0F;
     sum += result.weights[k];
   }
   for (float& weight : result.weights) weight = sum > 1e-6F ? weight / sum : 0.0F;

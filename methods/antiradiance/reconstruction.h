@@ -30,6 +30,7 @@ class Reconstruction {
   struct Place {
     std::array<std::uint32_t, 3> elements{};
     std::array<float, 3> weights{};
+    bool in_doubt = false;  ///< an element here reaches inside geometry: so may the sample
   };
   static Place place(const World& world, const SamplingMesh& mesh, const Elements& elements, const SurfaceSample& sample);
 

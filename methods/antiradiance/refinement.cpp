@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t wanted_receivers = 512;  // to be worked on side by side
 constexpr float coplanar = 1e-5F;              // of the pair's extent: below this height over a plane nothing is seen
 constexpr float doubtful_share = 0.25F;        // of the tolerance, for pairs that lie across each other's plane or are bent
+constexpr float varying_share = 0.1F;          // likewise for the variation of the sender's light
 constexpr float uneven_share = 0.005F;         // of the tolerance, times distance over reach: for a receiver's unevenness
 constexpr float bent_sine = 0.35F;             // of a normal cone, about 20 degrees
 
@@ -52,7 +53,8 @@ class Oracle {
       const bool doubtful = u < stray_u || v < stray_v || p.cone_sine > bent_sine || q.cone_sine > bent_sine;
       const float limit = rule_.tolerance * (doubtful ? doubtful_share : 1.0F);
       const float weight = importance(exchange * cosines, p, sender);
-      const bool too_much = weight > limit;
+      // The sender's light is its mean: where it varies as the form factor does, the error is of the second order.
+      const bool too_much = weight > limit || weight * q.reach * to_unit > limit * varying_share;
       // A link's light is the same all over the receiver: its error there is of the first order in the receiver's size.
       const bool too_wide = weight * p.reach * to_unit > limit * uneven_share;
       if (too_much && !q.is_leaf() && (p.is_leaf() || q.area >= p.area)) return {Verdict::split_sender, 0.0F, 0};

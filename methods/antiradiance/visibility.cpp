@@ -1,6 +1,8 @@
 #include "methods/antiradiance/visibility.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
@@ -16,6 +18,13 @@ std::size_t pick(float u, std::size_t count) {
   return std::min(count - 1, static_cast<std::size_t>(u * static_cast<float>(count)));
 }
 
+/// One at random, or the next that is not inside geometry: every element of the hierarchy has one.
+const CellPoint& exposed_point(std::span<const CellPoint> points, float u) {
+  std::size_t at = pick(u, points.size());
+  while (!points[at].exposed) at = (at + 1) % points.size();
+  return points[at];
+}
+
 /// Share of the segments of one link that are free; of those whose ends look away from each other nothing is learnt.
 float free_share(const Elements& elements, const Hierarchy& hierarchy, const Node& to, const Sender& sender, int count,
                  RandomStream random, RayStream& rays) {
@@ -26,15 +35,13 @@ float free_share(const Elements& elements, const Hierarchy& hierarchy, const Nod
       return hierarchy.order()[node.begin + pick(random.next_float(), node.end - node.begin)];
     };
     const auto receiving = elements.points(element_of(to)), sending = elements.points(element_of(from));
-    std::size_t at = pick(random.next_float(), receiving.size());
-    while (!receiving[at].exposed) at = (at + 1) % receiving.size();  // every element here has one
-    const CellPoint &end = receiving[at], &start = sending[pick(random.next_float(), sending.size())];
+    const CellPoint &end = exposed_point(receiving, random.next_float()), &start = exposed_point(sending, random.next_float());
     const Vec3 origin = sender.to_back() ? end.behind : end.origin, target = sender.from_back() ? start.behind : start.origin;
     const Vec3 way = target - origin;
     if ((glm::dot(way, end.normal) < 0.0F) != sender.to_back() || (glm::dot(way, start.normal) > 0.0F) != sender.from_back())
       continue;
     ++tried;
-    if (start.exposed && !rays.occluded({origin, 0.0F, way, 1.0F})) ++open;
+    if (!rays.occluded({origin, 0.0F, way, 1.0F})) ++open;
   }
   return tried > 0 ? static_cast<float>(open) / static_cast<float>(tried) : 1.0F;
 }
