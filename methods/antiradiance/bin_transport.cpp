@@ -28,7 +28,7 @@ void projected_bins(const DirectionBins& bins, const Vec3& normal, std::span<flo
   for (std::size_t b = 0; b < bins.count(); ++b) projected[b] *= pi / (projected[b] > 0.0F ? front : back);
 }
 
-void make_masks(const Hierarchy& hierarchy, const DirectionBins& bins, LinkTable& links, Task& task) {
+void make_masks(const Hierarchy& hierarchy, const DirectionBins& bins, std::span<const Vec3> ways, LinkTable& links, Task& task) {
   const auto nodes = hierarchy.nodes();
   links.masks.resize(links.size());
   task.parallel_chunks(nodes.size(), mask_chunk, [&](const ChunkRange& range) {
@@ -36,9 +36,7 @@ void make_masks(const Hierarchy& hierarchy, const DirectionBins& bins, LinkTable
       for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link) {
         const Sender sender = links.senders[link];
         const Node& from = nodes[sender.node()];
-        const Vec3 way = nodes[p].centre - from.centre;
-        const float length = glm::length(way);
-        const DirectionBins::Place place = bins.place(length > 0.0F ? way / length : -nodes[p].normal);
+        const DirectionBins::Place place = bins.place(ways[link]);
         links.masks[link] = {place.quad, bins.mask(place, from.normal, sender.from_back() ? -1.0F : 1.0F),
                              bins.mask(place, nodes[p].normal, sender.to_back() ? 1.0F : -1.0F)};
       }

@@ -70,7 +70,7 @@ class BinTransport {
 /// negative for light that arrives there. Either side sums to π.
 void projected_bins(const DirectionBins& bins, const Vec3& normal, std::span<float> projected);
 
-/// The masks of all links.
-void make_masks(const Hierarchy& hierarchy, const DirectionBins& bins, LinkTable& links, Task& task);
+/// The masks of all links, by the unit directions in which their light travels.
+void make_masks(const Hierarchy& hierarchy, const DirectionBins& bins, std::span<const Vec3> ways, LinkTable& links, Task& task);
 
 }  // namespace gibench::antiradiance

@@ -7,6 +7,7 @@
 #include "methods/antiradiance/bin_transport.h"
 #include "methods/antiradiance/exchange.h"
 #include "methods/antiradiance/implicit.h"
+#include "methods/antiradiance/near_directions.h"
 #include "methods/antiradiance/refinement.h"
 #include "methods/antiradiance/visibility.h"
 
@@ -106,7 +107,11 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
   if (visibility == Visibility::traced)
     trace_links(world, parts.elements, parts.hierarchy, settings.visibility_rays, linking.links, task);
   if (visibility == Visibility::nearest) linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, task);
-  if (by_direction) make_masks(parts.hierarchy, *linking.bins, linking.links, task);
+  if (by_direction) {
+    std::vector<Vec3> ways;
+    split_near_links(parts.elements, parts.hierarchy, linking.links, ways, task);
+    if (!task.cancelled()) make_masks(parts.hierarchy, *linking.bins, ways, linking.links, task);
+  }
   return linking;
 }
 
