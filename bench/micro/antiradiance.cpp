@@ -102,7 +102,7 @@ void hierarchy(benchmark::State& state) {
   Task task = task_with(threads);
   const World world(test::box_scene());
   const Discretisation parts(world, settings_for(65536), task);
-  for (auto _ : state) benchmark::DoNotOptimize(Hierarchy(parts.elements, task).size());
+  for (auto _ : state) benchmark::DoNotOptimize(Hierarchy(parts.elements, {}, task).size());
   state.counters["elements"] = static_cast<double>(parts.elements.size());
   state.counters["bytes_per_element"] =
       static_cast<double>(parts.elements.bytes() + parts.hierarchy.bytes()) / static_cast<double>(parts.elements.size());

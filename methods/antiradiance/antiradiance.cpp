@@ -124,7 +124,7 @@ class Antiradiance : public TransportMethod {
     if (linking_.bins) task.count("bins", linking_.bins->count());
     task.progress("form factors", 0.6);
     if (task.cancelled()) return;
-    closure_ = closure_factors(world(), *parts_, linking_, settings_, task);
+    closure_ = closure_factors(*parts_, linking_, settings_, task);
   }
 
   void do_light(const Lighting& lighting, Task& task, StageReport& report) override {

@@ -39,7 +39,10 @@ double table_bytes(const Discretisation& parts, std::size_t bins) {
 Discretisation::Discretisation(const World& world, const Settings& settings, Task& task)
     : mesh(world, mesh_options(world, settings)),
       elements(world, mesh, settings.cell_points, settings.backface_rays, task),
-      hierarchy(elements, task),
+      surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
+      hierarchy(elements,
+                settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
+                task),
       reconstruction(world, mesh, elements) {}
 
 std::vector<float> pull(const Hierarchy& hierarchy, std::span<const float> leaves) {

@@ -13,6 +13,7 @@
 #include "methods/antiradiance/links.h"
 #include "methods/antiradiance/reconstruction.h"
 #include "methods/antiradiance/settings.h"
+#include "methods/antiradiance/visibility.h"
 
 namespace gibench::antiradiance {
 
@@ -30,6 +31,7 @@ struct Discretisation {
 
   SamplingMesh mesh;
   Elements elements;
+  Surroundings surroundings;
   Hierarchy hierarchy;
   Reconstruction reconstruction;
   std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes() + reconstruction.bytes(); }

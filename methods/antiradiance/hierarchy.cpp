@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gibench::antiradiance {
 
@@ -69,26 +70,32 @@ float thickness_of(const Node& node, const Node& child) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(const Elements& elements, Task& task) {
+Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task) {
   leaf_of_element_.assign(elements.size(), no_element);
   for (std::uint32_t element = 0; element < elements.size(); ++element)
     if (elements.disc(element).area > 0.0F) order_.push_back(element);
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return elements.sheet(a) < elements.sheet(b); });
-  split_all(elements, task);
+  const auto key = [&](std::uint32_t element) {
+    return std::pair(spaces.empty() ? 0U : spaces[element], elements.sheet(element));
+  };
+  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  split_all(elements, spaces, task);
   fill_nodes(elements);
 }
 
 /// Level by level: the ranges of a level are disjoint. A subtree of m leaves has 2m − 1 nodes, so that every node knows its
 /// number before its children are made.
-void Hierarchy::split_all(const Elements& elements, Task& task) {
+void Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task) {
+  const auto space = [&](std::uint32_t element) { return spaces.empty() ? 0U : spaces[element]; };
   std::vector<Range> level, next;
   std::uint32_t nodes = 0;
   for (std::uint32_t begin = 0; begin < order_.size();) {
     std::uint32_t end = begin;
-    while (end < order_.size() && elements.sheet(order_[end]) == elements.sheet(order_[begin])) ++end;
+    while (end < order_.size() && elements.sheet(order_[end]) == elements.sheet(order_[begin]) &&
+           space(order_[end]) == space(order_[begin]))
+      ++end;
     level.push_back({nodes, begin, end});
     roots_.push_back(nodes);
+    root_spaces_.push_back(space(order_[begin]));
     nodes += 2 * (end - begin) - 1;
     begin = end;
   }
@@ -161,6 +168,13 @@ void Hierarchy::fill_nodes(const Elements& elements) {
         std::max(glm::length(left.centre - node.centre) + left.reach, glm::length(right.centre - node.centre) + right.reach);
     node.thickness = std::max(thickness_of(node, left), thickness_of(node, right));
   }
+}
+
+std::vector<std::uint32_t> Hierarchy::roots_beside(std::size_t root) const {
+  std::vector<std::uint32_t> beside;
+  for (std::size_t other = 0; other < roots_.size(); ++other)
+    if (root_spaces_[other] == root_spaces_[root]) beside.push_back(roots_[other]);
+  return beside;
 }
 
 std::size_t Hierarchy::bytes() const {

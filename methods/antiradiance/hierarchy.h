@@ -32,11 +32,14 @@ class Hierarchy {
  public:
   Hierarchy() = default;
   /// Over the elements that are exposed at all. A node is split in space or by its normals, whichever spread more.
-  Hierarchy(const Elements& elements, Task& task);
+  /// `spaces`: of every element; each has trees of its own (empty: all are in one).
+  Hierarchy(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
 
   std::span<const Node> nodes() const { return nodes_; }
   std::size_t size() const { return nodes_.size(); }
   std::span<const std::uint32_t> roots() const { return roots_; }
+  /// The roots whose space is that of this root.
+  std::vector<std::uint32_t> roots_beside(std::size_t root) const;
   /// Elements by leaf, from left to right.
   std::span<const std::uint32_t> order() const { return order_; }
   std::size_t leaf_count() const { return order_.size(); }
@@ -51,12 +54,12 @@ class Hierarchy {
   struct Range {
     std::uint32_t node, begin, end;
   };
-  void split_all(const Elements& elements, Task& task);
+  void split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
   std::uint32_t split(const Elements& elements, const Range& range);
   void fill_nodes(const Elements& elements);
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> roots_, order_, leaf_nodes_, leaf_of_element_;
+  std::vector<std::uint32_t> roots_, root_spaces_, order_, leaf_nodes_, leaf_of_element_;
 };
 
 }  // namespace gibench::antiradiance

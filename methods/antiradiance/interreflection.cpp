@@ -6,7 +6,6 @@
 
 #include "methods/antiradiance/bin_transport.h"
 #include "methods/antiradiance/patch_transport.h"
-#include "methods/antiradiance/visibility.h"
 
 namespace gibench::antiradiance {
 
@@ -173,8 +172,7 @@ class Directions {
 
 }  // namespace
 
-std::vector<float> closure_factors(const World& world, const Discretisation& parts, const Linking& linking,
-                                   const Settings& settings, Task& task) {
+std::vector<float> closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task) {
   const std::size_t leaves = parts.hierarchy.leaf_count();
   Surfaces white;
   white.albedo.assign(leaves, Rgb(1.0F));
@@ -190,7 +188,8 @@ std::vector<float> closure_factors(const World& world, const Discretisation& par
   }
   std::vector<float> sums, closed;
   for (const Rgb& value : response) sums.push_back(value.g);
-  if (settings.closure_rays > 0) closed = closed_shares(world, parts.elements, parts.hierarchy, settings.closure_rays, task);
+  if (settings.closure_rays > 0)
+    for (const std::uint32_t element : parts.hierarchy.order()) closed.push_back(parts.surroundings.closed[element]);
   return normalisation(sums, closed);
 }
 

@@ -35,8 +35,7 @@ struct Interreflection {
 /// What each leaf's irradiance is multiplied by, so that its form factors sum to the share of its hemisphere that rays find
 /// closed (or to one at most, without rays): then a uniform radiosity gives each leaf exactly what it should. With antiradiance
 /// the sum is that of the converged negative light, too.
-std::vector<float> closure_factors(const World& world, const Discretisation& parts, const Linking& linking,
-                                   const Settings& settings, Task& task);
+std::vector<float> closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task);
 
 /// `direct`: irradiance straight from the lights. Without a bound on bounces the whole system is solved at once; with one,
 /// bounce by bounce, each with its visibility solved.

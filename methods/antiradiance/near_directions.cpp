@@ -3,13 +3,17 @@
 #include <cmath>
 #include <cstddef>
 
+#include "common/core/sampling.h"
+
 namespace gibench::antiradiance {
 
 namespace {
 
 constexpr std::size_t node_chunk = 64;
-constexpr float near_radii = 6.0F;  // of both discs together: beyond, a disc fills less than a bin
-constexpr std::size_t ends = 4;     // points of a cell
+constexpr float near_radii = 6.0F;    // of both discs together: beyond, a disc fills less than a bin
+constexpr std::size_t ends = 4;       // points of a cell
+constexpr float by_direction = 0.1F;  // a larger form factor is split by directions, not by points
+constexpr std::size_t directions = 64;
 
 struct Row {
   std::vector<Sender> senders;
@@ -41,8 +45,52 @@ float share_of(const CellPoint& to, const CellPoint& from, const Sender& sides, 
   return u * v / (squared * (pi * squared + area / static_cast<float>(ends)));
 }
 
+/// Whether a ray from `origin` meets the part.
+bool meets(const CellPart& part, const Vec3& origin, const Vec3& direction) {
+  const float across = glm::dot(part.normal, direction);
+  const float t = across != 0.0F ? glm::dot(part.normal, part.corners[0] - origin) / across : -1.0F;
+  if (!(t > 0.0F)) return false;
+  const Vec3 at = origin + direction * t;
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 &a = part.corners[k], &b = part.corners[(k + 1) % 4];
+    const float side = glm::dot(glm::cross(b - a, at - a), part.normal);
+    (side < 0.0F ? right : left) += 1;
+  }
+  return left == 0 || right == 0;
+}
+
+/// Elements so close that every point of one sees the other under most of its directions: by directions, as many as bins are
+/// told apart by, from a few points of the receiver.
+bool split_by_direction(const Elements& elements, std::uint32_t to, std::uint32_t from, Sender sender, float factor, Row& row) {
+  const std::size_t before = row.factors.size();
+  float sum = 0.0F;
+  for (std::size_t k = 0; k < directions; ++k) {
+    const float u = (static_cast<float>(k) + 0.5F) / static_cast<float>(directions), v = 0.61803398875F * static_cast<float>(k);
+    const Vec3 local = cosine_hemisphere({u, v - std::floor(v)});
+    float hits = 0.0F;
+    Vec3 way(0.0F);
+    for (std::size_t i = 0; i < ends; ++i) {
+      const CellPoint& point = end_of(elements.points(to), i, 0);
+      if (!point.exposed) continue;
+      const Vec3 direction = Frame(sender.to_back() ? -point.normal : point.normal).to_world(local);
+      for (const CellPart& part : elements.parts(from))
+        if ((glm::dot(part.normal, direction) > 0.0F) == sender.from_back() &&
+            meets(part, sender.to_back() ? point.behind : point.origin, direction)) {
+          hits += 1.0F;
+          way = -direction;
+          break;
+        }
+    }
+    if (hits > 0.0F) row.add(sender, hits, way), sum += hits;
+  }
+  for (std::size_t k = before; k < row.factors.size(); ++k) row.factors[k] *= factor / sum;
+  return sum > 0.0F;
+}
+
 void split(const Elements& elements, std::uint32_t to, std::uint32_t from, Sender sender, float factor, const Vec3& between,
            Row& row) {
+  if (factor > by_direction && split_by_direction(elements, to, from, sender, factor, row)) return;
   float shares[ends * ends], sum = 0.0F;
   Vec3 ways[ends * ends];
   for (std::size_t i = 0; i < ends; ++i)

@@ -11,7 +11,8 @@
 namespace gibench::antiradiance {
 
 /// Replaces every link between near leaves by up to sixteen, from four points of the sender's cell to four of the receiver's, in
-/// proportion to their form factors; together they have the link's own. `ways`: of every link of the table made, the unit
+/// proportion to their form factors; where the form factor is above a tenth, by up to 64 directions of the receiver that meet
+/// the sender's cell. Together they have the link's own. `ways`: of every link of the table made, the unit
 /// direction in which its light travels.
 void split_near_links(const Elements& elements, const Hierarchy& hierarchy, LinkTable& links, std::vector<Vec3>& ways,
                       Task& task);

@@ -7,7 +7,7 @@ namespace gibench::antiradiance {
 namespace {
 
 constexpr std::size_t node_chunk = 128;
-constexpr float most_raised = 2.0F;
+constexpr float most_raised = 1.5F;
 
 }  // namespace
 

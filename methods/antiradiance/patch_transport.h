@@ -27,7 +27,7 @@ class PatchTransport {
 };
 
 /// What each leaf's sum of form factors is to be multiplied by: to what `closed` says (empty: to one at most). `sums`: the
-/// irradiance under radiosity 1 everywhere. Never raised more than twofold: what no link reaches stays dark.
+/// irradiance under radiosity 1 everywhere. Never raised by more than a half: what no link reaches stays dark.
 std::vector<float> normalisation(std::span<const float> sums, std::span<const float> closed);
 
 }  // namespace gibench::antiradiance

@@ -178,8 +178,8 @@ LinkTable make_links(const Hierarchy& hierarchy, const RefinementRule& rule, Tas
 
   std::vector<Rows> all;
   std::vector<Receiver> receivers;
-  const std::vector<std::uint32_t> everything(hierarchy.roots().begin(), hierarchy.roots().end());
-  for (const std::uint32_t root : hierarchy.roots()) receivers.push_back({root, everything});
+  for (std::size_t root = 0; root < hierarchy.roots().size(); ++root)
+    receivers.push_back({hierarchy.roots()[root], hierarchy.roots_beside(root)});
   std::atomic<std::size_t> made{0};
 
   // Level by level until there are enough receivers, then each with everything below it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "common/core/random.h"
@@ -11,7 +12,7 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr std::size_t node_chunk = 32, leaf_chunk = 64;
+constexpr std::size_t node_chunk = 32, element_chunk = 64;
 constexpr std::uint64_t link_stage = 0x6c696e6bULL, closure_stage = 0x636c6f73ULL;
 
 std::size_t pick(float u, std::size_t count) {
@@ -64,6 +65,42 @@ void take_out_blocked(LinkTable& links) {
   links.factors.resize(kept);
 }
 
+/// Two elements, one of which sees the other.
+struct Sight {
+  std::uint32_t from, to;
+};
+
+/// The sheets of what was hit: of a two-sided one both, as it is one surface to what lies behind.
+void add_sights(const World& world, const SamplingMesh& mesh, std::uint32_t element, const SurfaceSample& seen,
+                std::vector<Sight>& sights) {
+  const bool front = glm::dot(seen.normal, world.normal(seen.triangle)) >= 0.0F;
+  for (const bool side : {true, false}) {
+    if (!mesh.covers(seen.triangle, side) || (side != front && mesh.covers(seen.triangle, front))) continue;
+    const std::uint32_t other = mesh.triangles()[mesh.locate(seen.triangle, seen.barycentrics, side).triangle].corners[0];
+    if (sights.empty() || sights.back().from != element || sights.back().to != other) sights.push_back({element, other});
+  }
+}
+
+/// Joined by sights and by the faces of the mesh (union-find by the smallest).
+std::vector<std::uint32_t> spaces_of(const SamplingMesh& mesh, std::size_t count, const std::vector<std::vector<Sight>>& sights) {
+  std::vector<std::uint32_t> parent(count);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t x = root(a), y = root(b);
+    parent[std::max(x, y)] = std::min(x, y);
+  };
+  for (const MeshFace& face : mesh.faces())
+    for (const std::uint32_t corner : face.corners) join(face.corners[0], corner);
+  for (const std::vector<Sight>& some : sights)
+    for (const Sight& sight : some) join(sight.from, sight.to);
+  for (std::uint32_t i = 0; i < count; ++i) parent[i] = root(i);
+  return parent;
+}
+
 }  // namespace
 
 void trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, LinkTable& links,
@@ -78,12 +115,14 @@ void trace_links(const World& world, const Elements& elements, const Hierarchy& 
   take_out_blocked(links);
 }
 
-std::vector<float> closed_shares(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, Task& task) {
-  std::vector<float> shares(hierarchy.leaf_count(), 0.0F);
-  task.parallel_chunks(shares.size(), leaf_chunk, [&](const ChunkRange& range) {
+Surroundings look_around(const World& world, const SamplingMesh& mesh, const Elements& elements, int rays, Task& task) {
+  Surroundings found;
+  found.closed.assign(elements.size(), 0.0F);
+  std::vector<std::vector<Sight>> sights(chunk_count(elements.size(), element_chunk));
+  task.parallel_chunks(elements.size(), element_chunk, [&](const ChunkRange& range) {
     RayStream stream = task.rays(world);
-    for (std::size_t leaf = range.begin; leaf < range.end; ++leaf) {
-      const std::uint32_t element = hierarchy.order()[leaf];
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto element = static_cast<std::uint32_t>(i);
       const auto points = elements.points(element);
       RandomStream random(task.seed(), closure_stage, element);
       const Vec2 shift{random.next_float(), random.next_float()};
@@ -97,12 +136,16 @@ std::vector<float> closed_shares(const World& world, const Elements& elements, c
         const Vec3 direction = Frame(point.normal).to_world(cosine_hemisphere(at - glm::floor(at)));
         const Hit hit = stream.closest_hit({point.origin, 0.0F, direction});
         ++tried;
-        if (hit && world.sample_of_hit(hit, direction).lit_side) ++closed;
+        if (!hit) continue;
+        const SurfaceSample seen = world.sample_of_hit(hit, direction);
+        if (seen.lit_side) ++closed;
+        add_sights(world, mesh, element, seen, sights[range.chunk]);
       }
-      shares[leaf] = tried > 0 ? static_cast<float>(closed) / static_cast<float>(tried) : 0.0F;
+      found.closed[i] = tried > 0 ? static_cast<float>(closed) / static_cast<float>(tried) : 0.0F;
     }
   });
-  return shares;
+  found.space = spaces_of(mesh, elements.size(), sights);
+  return found;
 }
 
 }  // namespace gibench::antiradiance

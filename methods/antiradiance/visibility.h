@@ -15,7 +15,12 @@ namespace gibench::antiradiance {
 void trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, LinkTable& links,
                  Task& task);
 
-/// For every leaf the cosine-weighted share of its hemisphere in which lit sides of surfaces are seen, [0, 1].
-std::vector<float> closed_shares(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, Task& task);
+/// What rays from every element find around it.
+struct Surroundings {
+  std::vector<float> closed;         ///< cosine-weighted share of the hemisphere in which lit sides are seen, [0, 1]
+  std::vector<std::uint32_t> space;  ///< elements between which no chain of rays leads are in different spaces: nothing that
+                                     ///< happens in one is of any account in the other
+};
+Surroundings look_around(const World& world, const SamplingMesh& mesh, const Elements& elements, int rays, Task& task);
 
 }  // namespace gibench::antiradiance

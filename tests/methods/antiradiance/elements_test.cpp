@@ -19,7 +19,7 @@ struct Made {
         task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}}),
         mesh(world, {edge_length, 40.0F, true}),
         elements(world, mesh, 16, 8, task),
-        hierarchy(elements, task) {}
+        hierarchy(elements, {}, task) {}
   World world;
   Task task;
   SamplingMesh mesh;

@@ -46,7 +46,7 @@ TEST(Links, OfAClosedRoomSumToOneEverywhere) {
     squares += std::pow(static_cast<double>(sum.g) - 1.0, 2.0);
   }
   EXPECT_LT(std::sqrt(squares / static_cast<double>(sums.size())), 0.02);
-  const std::vector<float> closure = closure_factors(world, parts, linking, rule, task);
+  const std::vector<float> closure = closure_factors(parts, linking, rule, task);
   for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(sums[i].g * closure[i], 1.0F, 1e-5F);
 }
 
