@@ -94,7 +94,7 @@ void accessibility(benchmark::State& state) {
     state.counters["exponent_of_blockers"] = exponent(sizes, blockers);
   }
 }
-BENCHMARK(accessibility)->Arg(256)->ArgName("thousands")->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(accessibility)->Arg(16)->Arg(256)->ArgName("thousands")->Iterations(1)->Unit(benchmark::kMillisecond);
 
 /// The hierarchy alone, in parallel, n log n.
 void hierarchy(benchmark::State& state) {

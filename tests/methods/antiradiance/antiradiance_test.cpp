@@ -68,7 +68,7 @@ Scene furnace(float albedo) {
 }
 
 TEST(Antiradiance, FurnaceNeverGainsEnergy) {
-  for (const float albedo : {0.2F, 0.5F, 0.8F})
+  for (const float albedo : {0.2F, 0.8F})
     for (const char* mode : {"radiosity", "implicit", "antiradiance"}) {
       Solved solved(furnace(albedo), {{"mode", mode}, {"elements", "1500"}, {"bins", "8"}});
       ASSERT_TRUE(succeeded(solved.lit.termination)) << solved.lit.message;
@@ -85,7 +85,7 @@ TEST(Antiradiance, FurnaceNeverGainsEnergy) {
 
 TEST(Antiradiance, ComesToTracedVisibilityAsBinsAndLinksGrow) {
   const Scene scene = test::box_scene();
-  const Setting common{{"elements", "2000"}};
+  const Setting common{{"elements", "1500"}};
   const auto with = [&](Setting more) {
     more.insert(more.end(), common.begin(), common.end());
     return more;
