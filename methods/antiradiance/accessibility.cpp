@@ -11,8 +11,7 @@ namespace {
 constexpr std::size_t leaf_chunk = 64;
 constexpr float near_radii = 3.0F;  // of a blocker, within which it is its cell's polygons
 constexpr float wide_cone = 0.35F;  // sine: a node bent more than that is opened
-constexpr float horizon_share = 0.5F;
-constexpr float coplanar = 1e-5F;  // of the distance
+constexpr float coplanar = 1e-5F;   // of the distance
 
 /// Point to disc: the limit of the disc-to-disc form for a receiver without area.
 float disc_share(const Node& node, float squared, float u, float v, float m) {
@@ -93,9 +92,7 @@ Accessibility::Blocked Accessibility::blocked(const Vec3& point, const Vec3& nor
       ++result.evaluations;
       const float share = v < 0.0F ? nodes_[index].front : nodes_[index].back;
       const float bound = node.area / (pi * squared + node.area);
-      // A node across the point's horizon is opened further, but not to the last: its part above is small.
-      const float limit = far_enough_ * (u > stray ? 1.0F : horizon_share);
-      const bool stands = !node.is_leaf() && bound < limit && node.cone_sine < wide_cone && r > node.reach;
+      const bool stands = !node.is_leaf() && bound < far_enough_ && node.cone_sine < wide_cone && r > node.reach;
       if (!node.is_leaf() && !stands && depth + 2 <= stack.size()) {
         stack[depth++] = node.right;
         stack[depth++] = index + 1;

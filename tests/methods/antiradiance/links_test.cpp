@@ -137,8 +137,7 @@ TEST(Accessibility, HierarchyIsWithinTwoPerCentOfNaive) {
     EXPECT_NEAR(fast.of_leaves()[i].front, naive.of_leaves()[i].front, 0.02F);
 }
 
-// Measured 1.36 on 500 to 8000 elements: nodes across a receiver's horizon are opened along whole edges.
-TEST(Accessibility, DISABLED_BlockersGrowAsNLogN) {
+TEST(Accessibility, BlockersGrowAsNLogN) {
   Task task;
   const World world(test::box_scene());
   std::vector<double> cost, size;
