@@ -72,11 +72,12 @@ class Relighter {
   Relighter(const RelightOptions& options, const CommonOptions& common, const MethodChoice& choice, Scene scene)
       : options_(options), common_(common), choice_(choice), task_(make_task(common, scene.name + ", " + choice.entry->name)) {
     world_ = std::make_unique<World>(std::move(scene), common.threads);
+    measuring_.bounces = options.bounces;
     question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
     points_ = measuring_points(*world_, question_, common.threads);
   }
 
-  void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, options_.bounces, task_, log); }
+  void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, PlanOptions{}, options_.bounces, task_, log); }
   double prepare_seconds() const { return lit_.stages.front().report.seconds; }
   const Scene& scene() const { return world_->scene(); }
 
@@ -122,7 +123,7 @@ class Relighter {
     Reference reference{question_, 0, 0.0, {}, {}};
     CommonOptions quietly = common_;
     quietly.quiet = true;
-    extend_reference(lit, options_.bounces, {.count = reference_replicas}, {options_.reference_samples, std::nullopt}, quietly,
+    extend_reference(lit, measuring_, {.count = reference_replicas}, {options_.reference_samples, std::nullopt}, quietly,
                      reference, [](const Reference&) {});
     record.errors["direct"] = value_errors(answers.direct, reference.surface.direct);
     record.errors["indirect"] = value_errors(answers.indirect, reference.surface.indirect);
@@ -137,6 +138,7 @@ class Relighter {
   const MethodChoice& choice_;
   Task task_;
   std::unique_ptr<World> world_;
+  MeasuringOptions measuring_;
   ReferenceQuestion question_;
   MeasuringPoints points_;
   LitMethod lit_;

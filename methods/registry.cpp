@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/core/error.h"
+#include "methods/antiradiance/antiradiance.h"
 #include "methods/meshless/meshless.h"
 #include "methods/pathtracer/pathtracer.h"
 #include "methods/spectral/spectral.h"
@@ -16,6 +17,7 @@ std::span<const MethodEntry> all_methods() {
       pathtracer_entry(),
       meshless_entry(),
       spectral_entry(),
+      antiradiance_entry(),
   };
   return methods;
 }

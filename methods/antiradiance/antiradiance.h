@@ -1,0 +1,10 @@
+/// Disc elements: ambient accessibility, one bounce, and hierarchical radiosity with traced, implicit or no visibility.
+#pragma once
+
+#include "common/method/method.h"
+
+namespace gibench {
+
+MethodEntry antiradiance_entry();
+
+}  // namespace gibench

@@ -1,0 +1,121 @@
+#include "methods/antiradiance/discretisation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "methods/antiradiance/bin_transport.h"
+#include "methods/antiradiance/exchange.h"
+#include "methods/antiradiance/implicit.h"
+#include "methods/antiradiance/near_directions.h"
+#include "methods/antiradiance/refinement.h"
+#include "methods/antiradiance/visibility.h"
+
+namespace gibench::antiradiance {
+
+namespace {
+
+constexpr double coarser = 1.5;        // times, from one oracle to the next
+constexpr double bytes_a_link = 26.0;  // the table with masks, and the rows that it is put together from
+constexpr int most_attempts = 24;
+constexpr double krylov_vectors = 8.0;
+
+SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
+  SamplingMeshOptions options;
+  options.edge_length = edge_length_for(world, static_cast<double>(settings.elements));
+  options.crease_degrees = settings.crease_degrees;
+  options.keep_quads = true;
+  return options;
+}
+
+double table_bytes(const Discretisation& parts, std::size_t bins) {
+  const std::size_t leaves = parts.hierarchy.leaf_count();
+  const double row = static_cast<double>(leaves) * static_cast<double>(bins) * sizeof(Light4);
+  return static_cast<double>(BinTransport::bytes_for(leaves, bins)) + krylov_vectors * row;
+}
+
+}  // namespace
+
+Discretisation::Discretisation(const World& world, const Settings& settings, Task& task)
+    : mesh(world, mesh_options(world, settings)),
+      elements(world, mesh, settings.cell_points, settings.backface_rays, task),
+      surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
+      hierarchy(elements,
+                settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
+                task),
+      reconstruction(world, mesh, elements) {}
+
+std::vector<float> pull(const Hierarchy& hierarchy, std::span<const float> leaves) {
+  const auto nodes = hierarchy.nodes();
+  std::vector<float> values(nodes.size());
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const float share = nodes[i].is_leaf() ? 0.0F : nodes[i + 1].area / nodes[i].area;
+    values[i] = nodes[i].is_leaf() ? leaves[nodes[i].begin] : values[i + 1] * share + values[nodes[i].right] * (1.0F - share);
+  }
+  return values;
+}
+
+Linking make_linking(const World& world, const Discretisation& parts, const Settings& settings, Visibility visibility,
+                     std::span<const float> radiosity, Task& task) {
+  Linking linking;
+  linking.visibility = visibility;
+  const bool by_direction = visibility == Visibility::antiradiance;
+  if (by_direction || visibility == Visibility::nearest) linking.bins.emplace(settings.bins);
+  const double fixed = static_cast<double>(parts.bytes()) + (by_direction ? table_bytes(parts, linking.bins->count()) : 0.0);
+  if (fixed > settings.memory_budget) {
+    linking.refused = true;
+    linking.warning = fmt::format("{} elements{} need {:.0f} MiB: raise the parameter memory_budget, or lower elements or bins",
+                                  parts.elements.size(), by_direction ? fmt::format(" of {} bins", linking.bins->count()) : "",
+                                  fixed / (1024.0 * 1024.0));
+    return linking;
+  }
+
+  RefinementRule rule;
+  const bool both = by_direction || visibility == Visibility::shadow_passes;
+  rule.facing = both ? Facing::both : Facing::fronts;
+  rule.tolerance = settings.tolerance;
+  // A sender is to be about as large as a bin: a hemisphere of n²/2 of them.
+  if (visibility == Visibility::nearest)
+    rule.tolerance = std::min(rule.tolerance, 2.0F / static_cast<float>(linking.bins->count()));
+  rule.radiosity = radiosity;
+  if (!radiosity.empty()) {
+    double sum = 0.0, area = 0.0;
+    for (const std::uint32_t root : parts.hierarchy.roots()) {
+      const auto root_area = static_cast<double>(parts.hierarchy.nodes()[root].area);
+      sum += root_area * static_cast<double>(radiosity[root]), area += root_area;
+    }
+    rule.mean_radiosity = area > 0.0 ? static_cast<float>(sum / area) : 0.0F;
+  }
+  rule.most_links = static_cast<std::size_t>((settings.memory_budget - fixed) / bytes_a_link);
+  RefinementCounts counts;
+  for (int attempt = 0; attempt < most_attempts && !task.cancelled(); ++attempt) {
+    linking.links = make_links(parts.hierarchy, rule, task, counts);
+    if (!counts.too_many) break;
+    rule.tolerance *= static_cast<float>(coarser);
+  }
+  task.count("oracle_pairs", counts.pairs);
+  linking.tolerance = rule.tolerance;
+  if (counts.too_many) {
+    linking.refused = true;
+    linking.warning =
+        fmt::format("more than {} links at any tolerance: raise the parameter memory_budget or lower elements", rule.most_links);
+    return linking;
+  }
+  if (rule.tolerance > 1.01F * settings.tolerance)
+    linking.warning = fmt::format("the memory budget asked for coarser links: tolerance {:.3g} instead of {:.3g}", rule.tolerance,
+                                  settings.tolerance);
+  task.progress("links", 0.4);
+
+  refine_factors(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
+  if (visibility == Visibility::traced)
+    trace_links(world, parts.elements, parts.hierarchy, settings.visibility_rays, linking.links, task);
+  if (visibility == Visibility::nearest) linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, task);
+  if (by_direction) {
+    std::vector<Vec3> ways;
+    split_near_links(parts.elements, parts.hierarchy, linking.links, ways, task);
+    if (!task.cancelled()) make_masks(parts.hierarchy, *linking.bins, ways, linking.links, task);
+  }
+  return linking;
+}
+
+}  // namespace gibench::antiradiance

@@ -1,0 +1,58 @@
+/// What the geometry alone decides: mesh, elements, hierarchy, links, and the sums that form factors are held to.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/method/task.h"
+#include "methods/antiradiance/bins.h"
+#include "methods/antiradiance/elements.h"
+#include "methods/antiradiance/hierarchy.h"
+#include "methods/antiradiance/links.h"
+#include "methods/antiradiance/reconstruction.h"
+#include "methods/antiradiance/settings.h"
+#include "methods/antiradiance/visibility.h"
+
+namespace gibench::antiradiance {
+
+/// How light gets past surfaces in the way.
+enum class Visibility {
+  none_needed,   ///< one convex room: everything sees everything
+  traced,        ///< by rays, link by link
+  nearest,       ///< of a bin's links the nearest
+  antiradiance,  ///< by negative light
+  shadow_passes  ///< by negative light without directions
+};
+
+struct Discretisation {
+  Discretisation(const World& world, const Settings& settings, Task& task);
+
+  SamplingMesh mesh;
+  Elements elements;
+  Surroundings surroundings;
+  Hierarchy hierarchy;
+  Reconstruction reconstruction;
+  std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes() + reconstruction.bytes(); }
+};
+
+/// The links of one way of dealing with visibility, and what goes with them.
+struct Linking {
+  Visibility visibility = Visibility::none_needed;
+  std::optional<DirectionBins> bins;  ///< only where light is kept by direction
+  LinkTable links;
+  float tolerance = 0.0F;  ///< that the links were made at
+  std::string warning;     ///< where it had to be coarser than asked for
+  bool refused = false;    ///< no oracle keeps within the budget; `warning` says why
+  std::size_t bytes() const { return links.bytes(); }
+};
+
+/// `radiosity` of the nodes, for the oracle that looks at it; empty: geometry alone.
+Linking make_linking(const World& world, const Discretisation& parts, const Settings& settings, Visibility visibility,
+                     std::span<const float> radiosity, Task& task);
+
+/// Values of the leaves in all nodes: a node's is its children's mean by area.
+std::vector<float> pull(const Hierarchy& hierarchy, std::span<const float> leaves);
+
+}  // namespace gibench::antiradiance

@@ -1,0 +1,155 @@
+#include "methods/antiradiance/elements.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/sampling.h"
+
+namespace gibench::antiradiance {
+
+namespace {
+
+constexpr std::size_t element_chunk = 64;
+constexpr std::uint64_t point_stage = 0x70617274ULL, exposure_stage = 0x6578706fULL;
+
+/// m² of a quadrilateral by its diagonals: exact where it is planar.
+float area_of(const CellPart& part) {
+  const auto& [a, b, c, d] = part.corners;
+  return 0.5F * glm::length(glm::cross(c - a, d - b));
+}
+
+Vec3 centroid_of(const CellPart& part) {
+  const auto& [a, b, c, d] = part.corners;
+  const float first = glm::length(glm::cross(b - a, c - a)), second = glm::length(glm::cross(c - a, d - a));
+  const float sum = first + second;
+  return sum > 0.0F ? ((a + b + c) * first + (a + c + d) * second) / (3.0F * sum) : (a + b + c + d) * 0.25F;
+}
+
+/// A point of the part, bilinear in the unit square.
+Vec3 point_of(const CellPart& part, Vec2 at) {
+  const auto& [a, b, c, d] = part.corners;
+  return (a * (1.0F - at.x) + b * at.x) * (1.0F - at.y) + (d * (1.0F - at.x) + c * at.x) * at.y;
+}
+
+}  // namespace
+
+bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays) {
+  const Frame frame(normal);
+  for (int ray = 0; ray < count; ++ray) {
+    const Vec3 direction = frame.to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
+    const Hit hit = rays.closest_hit({origin, 0.0F, direction});
+    if (!hit || world.sample_of_hit(hit, direction).lit_side) return true;
+  }
+  return count == 0;
+}
+
+Elements::Elements(const World& world, const SamplingMesh& mesh, int points, int backface_rays, Task& task)
+    : points_per_element_(static_cast<std::size_t>(points)) {
+  const std::size_t count = mesh.vertices().size();
+  discs_.resize(count);
+  exposed_share_.assign(count, 0.0F);
+  reach_.assign(count, 0.0F);
+  points_.resize(count * points_per_element_);
+  for (const MeshVertex& vertex : mesh.vertices()) {
+    sheets_.push_back(2 * vertex.object + (vertex.front ? 0 : 1));
+    black_back_.push_back(world.scene().objects[vertex.object].two_sided ? 0 : 1);
+    area_ += static_cast<double>(vertex.area);
+  }
+  cut_cells(world, mesh);
+  task.parallel_chunks(count, element_chunk, [&](const ChunkRange& range) {
+    RayStream rays = task.rays(world);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto element = static_cast<std::uint32_t>(i);
+      place_points(world, mesh, element, task.seed());
+      find_exposed(world, element, backface_rays, task.seed(), rays);
+      place_disc(mesh, element);
+    }
+  });
+}
+
+void Elements::cut_cells(const World& world, const SamplingMesh& mesh) {
+  part_begin_.assign(mesh.vertices().size() + 1, 0);
+  const auto corner_count = [](const MeshFace& face) { return face.is_quad() ? std::size_t{4} : std::size_t{3}; };
+  for (const MeshFace& face : mesh.faces())
+    for (std::size_t k = 0; k < corner_count(face); ++k) ++part_begin_[face.corners[k] + 1];
+  for (std::size_t i = 1; i < part_begin_.size(); ++i) part_begin_[i] += part_begin_[i - 1];
+  parts_.resize(part_begin_.back());
+  std::vector<std::uint32_t> next(part_begin_.begin(), part_begin_.end() - 1);
+  for (const MeshFace& face : mesh.faces()) {
+    const std::size_t corners = corner_count(face);
+    Vec3 middle(0.0F);
+    const auto at = [&](std::size_t k) { return mesh.vertices()[face.corners[k % corners]].position; };
+    for (std::size_t k = 0; k < corners; ++k) middle += at(k) / static_cast<float>(corners);
+    const Vec3 normal = world.normal(face.scene_triangle) * (face.front ? 1.0F : -1.0F);
+    for (std::size_t k = 0; k < corners; ++k)
+      parts_[next[face.corners[k]]++] = {
+          {at(k), 0.5F * (at(k) + at(k + 1)), middle, 0.5F * (at(k) + at(k + corners - 1))}, normal, face.scene_triangle};
+  }
+}
+
+/// Stratified over the parts by area; within a part by a rank-1 lattice with a shift of its own.
+void Elements::place_points(const World& world, const SamplingMesh& mesh, std::uint32_t element, std::uint64_t seed) {
+  constexpr float golden = 0.61803398875F;
+  const auto cell = parts(element);
+  float total = 0.0F;
+  for (const CellPart& part : cell) total += area_of(part);
+  RandomStream random(seed, point_stage, element);
+  const Vec2 shift{random.next_float(), random.next_float()};
+  std::size_t part = 0;
+  float before = 0.0F;
+  for (std::size_t k = 0; k < points_per_element_; ++k) {
+    const float target = (static_cast<float>(k) + shift.x) / static_cast<float>(points_per_element_);
+    while (part + 1 < cell.size() && before + area_of(cell[part]) < target * total) before += area_of(cell[part++]);
+    const float own = total > 0.0F ? area_of(cell[part]) / total : 1.0F;
+    const float u = own > 0.0F ? std::clamp((target - (total > 0.0F ? before / total : 0.0F)) / own, 0.0F, 1.0F) : 0.5F;
+    const float v = shift.y + golden * static_cast<float>(k);
+    SurfaceSample sample;
+    sample.position = point_of(cell[part], {u, v - std::floor(v)});
+    sample.normal = cell[part].normal;
+    sample.triangle = cell[part].triangle;
+    const Vec3 offset = world.offset(sample) * sample.normal;
+    points_[element * points_per_element_ + k] = {sample.position + offset, sample.position - offset, sample.normal,
+                                                  sample.triangle, true};
+  }
+  const Vec3& centre = mesh.vertices()[element].position;
+  for (const CellPart& one : cell)
+    for (const Vec3& corner : one.corners) reach_[element] = std::max(reach_[element], glm::length(corner - centre));
+}
+
+void Elements::find_exposed(const World& world, std::uint32_t element, int backface_rays, std::uint64_t seed, RayStream& rays) {
+  std::size_t exposed = 0;
+  for (std::size_t k = 0; k < points_per_element_; ++k) {
+    const std::size_t index = element * points_per_element_ + k;
+    CellPoint& point = points_[index];
+    point.exposed = is_exposed(world, point.origin, point.normal, backface_rays, RandomStream(seed, exposure_stage, index), rays);
+    if (point.exposed) ++exposed;
+  }
+  exposed_share_[element] = static_cast<float>(exposed) / static_cast<float>(points_per_element_);
+}
+
+/// At the vertex where its cell surrounds it. Where the cell lies to one side (at a border, at a crease, at another surface
+/// that cuts it off) half the disc would hang in the air or stick in a wall: there at the exposed part's middle.
+void Elements::place_disc(const SamplingMesh& mesh, std::uint32_t element) {
+  const MeshVertex& vertex = mesh.vertices()[element];
+  Vec3 centre(0.0F);
+  if (exposed_share_[element] < 1.0F) {
+    float count = 0.0F;
+    for (const CellPoint& point : points(element))
+      if (point.exposed) centre += 0.5F * (point.origin + point.behind), count += 1.0F;
+    centre = count > 0.0F ? centre / count : vertex.position;
+  } else {
+    float total = 0.0F;
+    for (const CellPart& part : parts(element)) centre += centroid_of(part) * area_of(part), total += area_of(part);
+    centre = total > 0.0F ? centre / total : vertex.position;
+  }
+  reach_[element] += glm::length(centre - vertex.position);
+  discs_[element] = {centre, vertex.normal, vertex.area * exposed_share_[element]};
+}
+
+std::size_t Elements::bytes() const {
+  return discs_.capacity() * sizeof(Disc) + sheets_.capacity() * sizeof(std::uint32_t) + black_back_.capacity() +
+         (exposed_share_.capacity() + reach_.capacity()) * sizeof(float) + parts_.capacity() * sizeof(CellPart) +
+         part_begin_.capacity() * sizeof(std::uint32_t) + points_.capacity() * sizeof(CellPoint);
+}
+
+}  // namespace gibench::antiradiance

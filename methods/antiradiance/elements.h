@@ -1,0 +1,84 @@
+/// Disc elements: one for every vertex of the sampling mesh, with the cell of surface that it stands for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/core/random.h"
+#include "common/geometry/sampling_mesh.h"
+#include "common/method/task.h"
+#include "methods/antiradiance/form_factor.h"
+
+namespace gibench::antiradiance {
+
+inline constexpr std::uint32_t no_element = 0xffffffffU;
+
+/// A corner's part of a face: corner, middle of one edge, middle of the face, middle of the other edge. A third of a triangle's
+/// area, a quarter of a parallelogram's.
+struct CellPart {
+  std::array<Vec3, 4> corners;
+  Vec3 normal;                 ///< unit, of the face on the element's side
+  std::uint32_t triangle = 0;  ///< of the scene, in whose plane the part lies
+};
+
+/// A point of a cell, for rays: of all points of an element equal shares of its area.
+struct CellPoint {
+  Vec3 origin;  ///< metres, off the surface on the element's side
+  Vec3 behind;  ///< the same off its other side
+  Vec3 normal;  ///< of the face, on the element's side
+  std::uint32_t triangle = 0;
+  bool exposed = true;  ///< not inside geometry
+};
+
+/// Whether a point just off a surface is not inside geometry: of `count` cosine-distributed rays about the unit normal one at
+/// least does not meet a black back.
+bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays);
+
+/// The elements in the order of the mesh's vertices; those that are wholly inside geometry take no part in transport.
+class Elements {
+ public:
+  /// `points` per cell; a point is inside geometry where all of `backface_rays` rays from it meet black backs.
+  Elements(const World& world, const SamplingMesh& mesh, int points, int backface_rays, Task& task);
+
+  std::size_t size() const { return discs_.size(); }
+  /// Centre: of the exposed part of the cell; normal: the vertex's; area: the exposed part's.
+  const Disc& disc(std::uint32_t element) const { return discs_[element]; }
+  /// Twice the object, and one more on its back: what one tree of the hierarchy is made over.
+  std::uint32_t sheet(std::uint32_t element) const { return sheets_[element]; }
+  /// Share of the cell that is not inside geometry.
+  float exposed_share(std::uint32_t element) const { return exposed_share_[element]; }
+  /// Whether light that arrives from behind ends here: on one-sided objects. A two-sided sheet has an element each side.
+  bool black_back(std::uint32_t element) const { return black_back_[element] != 0; }
+
+  std::span<const CellPart> parts(std::uint32_t element) const {
+    return std::span(parts_).subspan(part_begin_[element], part_begin_[element + 1] - part_begin_[element]);
+  }
+  std::span<const CellPoint> points(std::uint32_t element) const {
+    return std::span(points_).subspan(element * points_per_element_, points_per_element_);
+  }
+  /// Metres that surround the disc: no point of the cell is further from its centre.
+  float reach(std::uint32_t element) const { return reach_[element]; }
+
+  double area() const { return area_; }  ///< m², of all cells: that of the mesh
+  std::size_t bytes() const;
+
+ private:
+  void cut_cells(const World& world, const SamplingMesh& mesh);
+  void place_points(const World& world, const SamplingMesh& mesh, std::uint32_t element, std::uint64_t seed);
+  void find_exposed(const World& world, std::uint32_t element, int backface_rays, std::uint64_t seed, RayStream& rays);
+  void place_disc(const SamplingMesh& mesh, std::uint32_t element);
+
+  std::size_t points_per_element_;
+  std::vector<Disc> discs_;
+  std::vector<std::uint32_t> sheets_;
+  std::vector<std::uint8_t> black_back_;
+  std::vector<float> exposed_share_, reach_;
+  std::vector<CellPart> parts_;
+  std::vector<std::uint32_t> part_begin_;
+  std::vector<CellPoint> points_;
+  double area_ = 0.0;
+};
+
+}  // namespace gibench::antiradiance

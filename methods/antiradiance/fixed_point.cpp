@@ -1,0 +1,227 @@
+#include "methods/antiradiance/fixed_point.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gibench::antiradiance {
+
+/// I − M as a matrix without entries.
+class MatrixFree;
+
+}  // namespace gibench::antiradiance
+
+namespace Eigen::internal {
+template <>
+struct traits<gibench::antiradiance::MatrixFree> : traits<SparseMatrix<float>> {};
+}  // namespace Eigen::internal
+
+namespace gibench::antiradiance {
+
+class MatrixFree : public Eigen::EigenBase<MatrixFree> {
+ public:
+  using Scalar = float;
+  using RealScalar = float;
+  using StorageIndex = int;
+  static constexpr int ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic;
+  static constexpr bool IsRowMajor = false;
+
+  MatrixFree(const LinearMap& map, Eigen::Index size) : map_(map), size_(size) {}
+  Eigen::Index rows() const { return size_; }
+  Eigen::Index cols() const { return size_; }
+
+  template <class Right>
+  Eigen::Product<MatrixFree, Right, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<Right>& right) const {
+    return {*this, right.derived()};
+  }
+
+  void apply(const Vector& in, Vector& out) const {
+    map_(in, out);
+    out = in - out;
+    ++applications;
+  }
+
+  mutable int applications = 0;
+
+ private:
+  const LinearMap& map_;
+  Eigen::Index size_;
+};
+
+}  // namespace gibench::antiradiance
+
+namespace Eigen::internal {
+template <class Right>
+struct generic_product_impl<gibench::antiradiance::MatrixFree, Right, SparseShape, DenseShape, GemvProduct>
+    : generic_product_impl_base<gibench::antiradiance::MatrixFree, Right,
+                                generic_product_impl<gibench::antiradiance::MatrixFree, Right>> {
+  template <class Destination>
+  static void scaleAndAddTo(Destination& destination, const gibench::antiradiance::MatrixFree& matrix, const Right& right,
+                            const float& alpha) {
+    gibench::antiradiance::Vector product(destination.size());
+    matrix.apply(right, product);
+    destination.noalias() += alpha * product;
+  }
+};
+}  // namespace Eigen::internal
+
+namespace gibench::antiradiance {
+
+namespace {
+
+constexpr std::size_t patience = 8;    // steps over which a residual must fall
+constexpr double hopeless = 1e6;       // a residual at which no series comes back
+constexpr double krylov_slack = 10.0;  // its residual is that of the equation, not of a step
+
+/// What a series of residuals says about what is to come.
+class Trend {
+ public:
+  void add(double residual) { residuals_.push_back(residual); }
+  bool grows() const {
+    if (!std::isfinite(residuals_.back()) || residuals_.back() > hopeless) return true;
+    return residuals_.size() > patience && residuals_.back() > residuals_[residuals_.size() - 1 - patience];
+  }
+  /// Steps still to go at the rate of the last ones; 0 while that is not known.
+  double steps_left(double goal) const {
+    if (residuals_.size() <= patience) return 0.0;
+    const double rate =
+        std::log(residuals_.back() / residuals_[residuals_.size() - 1 - patience]) / static_cast<double>(patience);
+    return rate < 0.0 ? std::log(goal / residuals_.back()) / rate : 1e9;
+  }
+
+ private:
+  std::vector<double> residuals_;
+};
+
+class Solver {
+ public:
+  Solver(const Vector& b, const LinearMap& map, const FixedPointRule& rule, Vector& x, Task& task)
+      : b_(b), map_(map), rule_(rule), x_(x), task_(task), size_of_b_(static_cast<double>(b.norm())) {}
+
+  FixedPointOutcome run() {
+    x_ = b_;
+    if (!(size_of_b_ > 0.0)) return outcome_;
+    if (rule_.exactly > 0) return terms(rule_.exactly);
+    if (series()) return outcome_;
+    const std::string first = outcome_.message;
+    if (damped()) {
+      outcome_.message = fmt::format("{}; damped steps converged", first);
+      return outcome_;
+    }
+    const std::string second = outcome_.message;
+    krylov(first + "; " + second);
+    return outcome_;
+  }
+
+ private:
+  FixedPointOutcome terms(int count) {
+    Vector term = b_, next(b_.size());
+    for (int k = 1; k < count && !task_.cancelled(); ++k) {
+      step(term, next, k);
+      term.swap(next);
+      x_ += term;
+    }
+    outcome_.termination = Termination::bound_reached;
+    outcome_.message = fmt::format("stopped after {} iterations as asked, residual {:.2e}", count, outcome_.residual);
+    return outcome_;
+  }
+
+  /// One more term; its size over that of the solution is the residual.
+  void step(const Vector& term, Vector& next, int number) {
+    map_(term, next);
+    ++outcome_.applications;
+    tell("iteration", number, static_cast<double>(next.norm()) / std::max(1e-30, static_cast<double>(x_.norm())));
+  }
+
+  void tell(const char* what, int number, double residual) {
+    outcome_.residual = residual;
+    const double share = residual > 0.0 ? std::log(std::min(1.0, residual)) / std::log(rule_.residual) : 1.0;
+    task_.progress(fmt::format("{} {}", what, number), std::clamp(share, 0.0, 1.0), residual);
+  }
+
+  bool series() {
+    Vector term = b_, next(b_.size());
+    Trend trend;
+    for (int k = 1; k <= rule_.most_iterations; ++k) {
+      if (task_.cancelled()) return true;
+      step(term, next, k);
+      term.swap(next);
+      x_ += term;
+      if (outcome_.residual < rule_.residual) return true;
+      trend.add(outcome_.residual);
+      if (trend.grows() || trend.steps_left(rule_.residual) > 0.5 * rule_.most_iterations) {
+        outcome_.message = fmt::format("the series {} after {} iterations (residual {:.2e})", trend.grows() ? "grew" : "was slow",
+                                       k, outcome_.residual);
+        return false;
+      }
+    }
+    outcome_.message = fmt::format("the series did not end in {} iterations", rule_.most_iterations);
+    return false;
+  }
+
+  bool damped() {
+    outcome_.ended_with = Iteration::damped;
+    x_ = b_;
+    Vector image(b_.size());
+    Trend trend;
+    for (int k = 1; k <= rule_.most_iterations; ++k) {
+      if (task_.cancelled()) return true;
+      map_(x_, image);
+      ++outcome_.applications;
+      image += b_ - x_;
+      tell("damped iteration", k, static_cast<double>(image.norm()) / std::max(1e-30, static_cast<double>(x_.norm())));
+      x_ += 0.5F * image;
+      if (outcome_.residual < rule_.residual) return true;
+      trend.add(outcome_.residual);
+      if (trend.grows() || trend.steps_left(rule_.residual) > 0.25 * rule_.most_iterations) {
+        outcome_.message =
+            fmt::format("damped steps {} after {} (residual {:.2e})", trend.grows() ? "grew" : "were slow", k, outcome_.residual);
+        return false;
+      }
+    }
+    outcome_.message = fmt::format("damped steps did not end in {} iterations", rule_.most_iterations);
+    return false;
+  }
+
+  void krylov(const std::string& tried) {
+    outcome_.ended_with = Iteration::krylov;
+    const MatrixFree matrix(map_, b_.size());
+    Eigen::BiCGSTAB<MatrixFree, Eigen::IdentityPreconditioner> solver;
+    solver.compute(matrix);
+    solver.setMaxIterations(rule_.most_iterations);
+    solver.setTolerance(static_cast<float>(rule_.residual));
+    x_ = solver.solve(b_);
+    Vector image(b_.size());
+    map_(x_, image);
+    outcome_.applications += matrix.applications + 1;
+    image += b_ - x_;
+    const double residual = static_cast<double>(image.norm()) / size_of_b_;
+    tell("Krylov iteration", static_cast<int>(solver.iterations()), residual);
+    if (residual < krylov_slack * rule_.residual) {
+      outcome_.message = fmt::format("{}; BiCGSTAB converged in {} iterations", tried, solver.iterations());
+      return;
+    }
+    outcome_.termination = Termination::not_converged;
+    outcome_.message =
+        fmt::format("{}; BiCGSTAB ended with residual {:.2e} after {} iterations", tried, residual, solver.iterations());
+  }
+
+  const Vector& b_;
+  const LinearMap& map_;
+  const FixedPointRule& rule_;
+  Vector& x_;
+  Task& task_;
+  double size_of_b_;
+  FixedPointOutcome outcome_;
+};
+
+}  // namespace
+
+FixedPointOutcome solve_fixed_point(const Vector& b, const LinearMap& map, const FixedPointRule& rule, Vector& x, Task& task) {
+  return Solver(b, map, rule, x, task).run();
+}
+
+}  // namespace gibench::antiradiance

@@ -1,0 +1,37 @@
+/// Solves x = b + M x where M is known by what it does to a vector, and says honestly how that went.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+#include "common/method/task.h"
+
+namespace gibench::antiradiance {
+
+using Vector = Eigen::VectorXf;
+/// out = M in; both have the same size.
+using LinearMap = std::function<void(const Vector& in, Vector& out)>;
+
+enum class Iteration { neumann, damped, krylov };
+
+struct FixedPointRule {
+  double residual = 1e-4;  ///< the step's size over the solution's at which the series ends
+  int most_iterations = 200;
+  int exactly = 0;  ///< more than 0: so many terms of the plain series, whatever the residual does: for pictures of the iteration
+};
+
+struct FixedPointOutcome {
+  Termination termination = Termination::converged;
+  std::string message;
+  Iteration ended_with = Iteration::neumann;
+  int applications = 0;  ///< of M
+  double residual = 0.0;
+};
+
+/// The plain series b + M b + M² b + …; where its terms grow, or fade too slowly to end within the bound, the step damped to a
+/// half; where that grows or is slow, too, BiCGSTAB (Eigen) on (I − M) x = b. A residual is held to be growing where
+/// it is larger than eight steps before: terms may swell at first, as negative light chases positive.
+FixedPointOutcome solve_fixed_point(const Vector& b, const LinearMap& map, const FixedPointRule& rule, Vector& x, Task& task);
+
+}  // namespace gibench::antiradiance

@@ -1,0 +1,225 @@
+#include "methods/antiradiance/interreflection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "methods/antiradiance/bin_transport.h"
+#include "methods/antiradiance/patch_transport.h"
+
+namespace gibench::antiradiance {
+
+namespace {
+
+constexpr double negligible_bounce = 1e-5;  // of the sum so far
+
+FixedPointRule rule_of(const Settings& settings, bool pictures) {
+  return {settings.residual, settings.most_iterations, pictures ? settings.iterations : 0};
+}
+
+std::vector<Rgb> products(std::span<const Rgb> a, std::span<const Rgb> b) {
+  std::vector<Rgb> result(a.begin(), a.end());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] *= b[i];
+  return result;
+}
+
+double total(std::span<const Rgb> values) {
+  double sum = 0.0;
+  for (const Rgb& value : values)
+    sum += std::fabs(static_cast<double>(value.r)) + std::fabs(static_cast<double>(value.g)) +
+           std::fabs(static_cast<double>(value.b));
+  return sum;
+}
+
+void take_over(const FixedPointOutcome& from, Interreflection& to) {
+  to.iterations += from.applications;
+  to.residual = from.residual;
+  if (!succeeded(from.termination) || !succeeded(to.termination)) {
+    if (succeeded(to.termination)) to.termination = from.termination;
+  } else {
+    to.termination = from.termination;
+  }
+  if (!from.message.empty()) to.message = from.message;
+}
+
+std::span<const Rgb> as_colours(const Vector& vector) {
+  return {reinterpret_cast<const Rgb*>(vector.data()), static_cast<std::size_t>(vector.size()) / 3};
+}
+std::span<Rgb> as_colours(Vector& vector) {
+  return {reinterpret_cast<Rgb*>(vector.data()), static_cast<std::size_t>(vector.size()) / 3};
+}
+
+/// Links that carry visibility themselves: one irradiance a leaf.
+class Patches {
+ public:
+  Patches(const Discretisation& parts, const Linking& linking, const Surfaces& surfaces, Task& task)
+      : transport_(parts.hierarchy, linking.links), surfaces_(surfaces), task_(task) {}
+
+  /// s U of radiosities.
+  void transport(std::span<const Rgb> radiosity, std::span<Rgb> arriving) {
+    transport_.transport(radiosity, {}, arriving, task_);
+    for (std::size_t i = 0; i < arriving.size(); ++i) arriving[i] *= surfaces_.closure[i];
+  }
+
+  Interreflection solve(std::span<const Rgb> direct, const FixedPointRule& rule) {
+    Interreflection result;
+    Vector first(static_cast<Eigen::Index>(3 * direct.size()));
+    transport(products(direct, surfaces_.albedo), as_colours(first));
+    const LinearMap bounce = [this](const Vector& in, Vector& out) {
+      transport(products(as_colours(in), surfaces_.albedo), as_colours(out));
+    };
+    Vector sum;
+    if (surfaces_.max_bounces) sum = bounded(first, bounce, *surfaces_.max_bounces, result);
+    else take_over(solve_fixed_point(first, bounce, rule, sum, task_), result);
+    const auto colours = as_colours(sum);
+    result.irradiance.assign(colours.begin(), colours.end());
+    return result;
+  }
+
+ private:
+  Vector bounded(const Vector& first, const LinearMap& bounce, int bounces, Interreflection& result) {
+    Vector sum = first, term = first, next(first.size());
+    for (int k = 1; k < bounces && !task_.cancelled(); ++k) {
+      bounce(term, next);
+      term.swap(next);
+      sum += term;
+      ++result.iterations;
+      task_.progress(fmt::format("bounce {}", k + 1), static_cast<double>(k + 1) / bounces);
+      if (static_cast<double>(term.norm()) <= negligible_bounce * static_cast<double>(sum.norm())) break;
+    }
+    result.termination = Termination::bound_reached;
+    result.message = fmt::format("at most {} bounces, as planned", bounces);
+    return sum;
+  }
+
+  PatchTransport transport_;
+  const Surfaces& surfaces_;
+  Task& task_;
+};
+
+/// Light by direction, negative light in place of visibility.
+class Directions {
+ public:
+  Directions(const Discretisation& parts, const Linking& linking, const Surfaces& surfaces, Task& task)
+      : transport_(parts.hierarchy, linking.links, *linking.bins), surfaces_(surfaces), task_(task) {
+    for (std::size_t i = 0; i < surfaces.albedo.size(); ++i) albedo_.push_back(surfaces.albedo[i] * surfaces.closure[i]);
+  }
+
+  Interreflection solve(std::span<const Rgb> direct, const FixedPointRule& rule) {
+    Interreflection result;
+    Vector first, sum;
+    transport_.transport_diffuse(products(direct, surfaces_.albedo), first, task_);
+    result.irradiance.assign(direct.size(), Rgb());
+    if (surfaces_.max_bounces) {
+      bounded(first, rule, *surfaces_.max_bounces, sum, result);
+    } else {
+      const LinearMap everything = [this](const Vector& in, Vector& out) {
+        transport_.transport(in, albedo_, surfaces_.glossy, out, task_);
+      };
+      take_over(solve_fixed_point(first, everything, rule, sum, task_), result);
+      add_fronts(sum, result.irradiance);
+    }
+    if (surfaces_.glossy != nullptr) result.by_direction = std::move(sum);
+    return result;
+  }
+
+  /// Irradiance under radiosity 1 on every front.
+  std::vector<Rgb> uniform(const FixedPointRule& rule, Interreflection& result) {
+    Vector first, sum;
+    const std::vector<Rgb> ones(surfaces_.closure.size(), Rgb(1.0F));
+    transport_.transport_diffuse(ones, first, task_);
+    take_over(solve_fixed_point(first, through(), rule, sum, task_), result);
+    std::vector<Rgb> fronts(ones.size());
+    add_fronts(sum, fronts);
+    return fronts;
+  }
+
+ private:
+  /// U (−J): light that met something takes itself away behind it.
+  LinearMap through() {
+    return [this](const Vector& in, Vector& out) { transport_.transport(in, {}, nullptr, out, task_); };
+  }
+
+  void bounded(Vector& arriving, const FixedPointRule& rule, int bounces, Vector& sum, Interreflection& result) {
+    Vector bounce;
+    double so_far = 0.0;
+    for (int k = 1; k <= bounces && !task_.cancelled(); ++k) {
+      take_over(solve_fixed_point(arriving, through(), rule, bounce, task_), result);
+      std::vector<Rgb> fronts(result.irradiance.size());
+      add_fronts(bounce, fronts);
+      for (std::size_t i = 0; i < fronts.size(); ++i) result.irradiance[i] += fronts[i];
+      if (k == 1) sum = bounce;
+      else sum += bounce;
+      const double size = total(fronts);
+      so_far += size;
+      if (k == bounces || size <= negligible_bounce * so_far) break;
+      transport_.transport_reflected(bounce, albedo_, surfaces_.glossy, arriving, task_);
+    }
+    if (succeeded(result.termination)) result.termination = Termination::bound_reached;
+    if (result.message.empty()) result.message = fmt::format("at most {} bounces, as planned", bounces);
+  }
+
+  void add_fronts(const Vector& arriving, std::vector<Rgb>& fronts) {
+    transport_.irradiance(arriving, fronts, task_);
+    for (std::size_t i = 0; i < fronts.size(); ++i) fronts[i] *= surfaces_.closure[i];
+  }
+
+  BinTransport transport_;
+  const Surfaces& surfaces_;
+  Task& task_;
+  std::vector<Rgb> albedo_;  ///< times closure: what is reflected of what the links bring
+};
+
+}  // namespace
+
+std::vector<float> closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task) {
+  const std::size_t leaves = parts.hierarchy.leaf_count();
+  Surfaces white;
+  white.albedo.assign(leaves, Rgb(1.0F));
+  white.closure.assign(leaves, 1.0F);
+  if (linking.visibility == Visibility::shadow_passes) return white.closure;
+  std::vector<Rgb> response(leaves);
+  if (linking.visibility == Visibility::antiradiance) {
+    Interreflection ended;
+    response = Directions(parts, linking, white, task).uniform(rule_of(settings, false), ended);
+    if (!succeeded(ended.termination)) return white.closure;
+  } else {
+    Patches(parts, linking, white, task).transport(white.albedo, response);
+  }
+  std::vector<float> sums, closed;
+  for (const Rgb& value : response) sums.push_back(value.g);
+  if (settings.closure_rays > 0)
+    for (const std::uint32_t element : parts.hierarchy.order()) closed.push_back(parts.surroundings.closed[element]);
+  return normalisation(sums, closed);
+}
+
+Interreflection interreflect(const Discretisation& parts, const Linking& linking, const Settings& settings,
+                             const Surfaces& surfaces, std::span<const Rgb> direct, Task& task) {
+  if (linking.visibility == Visibility::antiradiance)
+    return Directions(parts, linking, surfaces, task).solve(direct, rule_of(settings, true));
+  return Patches(parts, linking, surfaces, task).solve(direct, rule_of(settings, true));
+}
+
+Interreflection disc_bounce(const Discretisation& parts, const Linking& linking, const Settings& settings,
+                            const Surfaces& surfaces, std::span<const Rgb> direct, Task& task) {
+  const PatchTransport transport(parts.hierarchy, linking.links);
+  const std::vector<Rgb> fronts = products(direct, surfaces.albedo);
+  std::vector<Rgb> received(direct.size()), before, backs;
+  transport.transport(fronts, {}, received, task);
+  Interreflection result;
+  for (int pass = 0; pass < settings.passes && !task.cancelled(); ++pass) {
+    before = received;
+    backs.clear();
+    for (const Rgb& light : received) backs.push_back(light * -1.0F);
+    transport.transport(fronts, backs, received, task);
+    ++result.iterations;
+    task.progress("shadow pass", static_cast<double>(pass + 1) / settings.passes);
+  }
+  for (std::size_t i = 0; i < received.size() && !before.empty(); ++i) received[i] = (received[i] + before[i]) * 0.5F;
+  result.termination = Termination::bound_reached;
+  result.message = fmt::format("one bounce with {} shadow passes", settings.passes);
+  result.irradiance = std::move(received);
+  return result;
+}
+
+}  // namespace gibench::antiradiance

@@ -1,0 +1,50 @@
+/// Indirect light on the elements: the radiosity system in each of its forms.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/core/rgb.h"
+#include "common/method/task.h"
+#include "methods/antiradiance/discretisation.h"
+#include "methods/antiradiance/fixed_point.h"
+#include "methods/antiradiance/glossy.h"
+#include "methods/antiradiance/settings.h"
+
+namespace gibench::antiradiance {
+
+/// What light meets at the leaves, and how far it may go.
+struct Surfaces {
+  std::vector<Rgb> albedo;                   ///< diffuse reflectance of the fronts
+  std::vector<float> closure;                ///< of closure_factors()
+  const GlossyReflection* glossy = nullptr;  ///< lobes besides, only with bins
+  std::optional<int> max_bounces;
+};
+
+struct Interreflection {
+  Termination termination = Termination::converged;
+  std::string message;
+  std::vector<Rgb> irradiance;  ///< of the leaves' fronts, W/m²; may be negative before the iteration has ended
+  Vector by_direction;          ///< of the leaves × bins, W/m², where there are lobes; empty otherwise
+  int iterations = 0;           ///< applications of the transport operator
+  double residual = 0.0;
+};
+
+/// What each leaf's irradiance is multiplied by, so that its form factors sum to the share of its hemisphere that rays find
+/// closed (or to one at most, without rays): then a uniform radiosity gives each leaf exactly what it should. With antiradiance
+/// the sum is that of the converged negative light, too.
+std::vector<float> closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task);
+
+/// `direct`: irradiance straight from the lights. Without a bound on bounces the whole system is solved at once; with one,
+/// bounce by bounce, each with its visibility solved.
+Interreflection interreflect(const Discretisation& parts, const Linking& linking, const Settings& settings,
+                             const Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
+
+/// Bunnell's single bounce: radiosities sent without visibility, then `passes` times the shadow of what every element
+/// received, cast from its back; the last two are averaged.
+Interreflection disc_bounce(const Discretisation& parts, const Linking& linking, const Settings& settings,
+                            const Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
+
+}  // namespace gibench::antiradiance

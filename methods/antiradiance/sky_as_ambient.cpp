@@ -1,0 +1,56 @@
+#include "methods/antiradiance/sky_as_ambient.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "common/lighting/environment_sampler.h"
+
+namespace gibench::antiradiance {
+
+namespace {
+
+constexpr std::size_t samples_a_call = std::size_t{1} << 18, fewest_samples = 16, most_samples = 1024;
+
+Lighting without_environments(Lighting lighting) {
+  std::erase_if(lighting.lights, [](const Light& light) { return std::holds_alternative<EnvironmentLight>(light); });
+  return lighting;
+}
+
+/// ∫ over the sphere by the pixels' solid angles; constant without an image.
+Rgb mean_radiance(const EnvironmentLight& light) {
+  if (!light.image) return light.radiance;
+  RgbDouble sum;
+  double weights = 0.0;
+  for (int row = 0; row < light.image->height; ++row) {
+    const double weight = std::sin(pi_double * (row + 0.5) / light.image->height);
+    for (int column = 0; column < light.image->width; ++column) {
+      sum += RgbDouble(light.image->pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(light.image->width) +
+                                           static_cast<std::size_t>(column)]) *
+             weight;
+      weights += weight;
+    }
+  }
+  return weights > 0.0 ? Rgb(sum / weights) * light.radiance : Rgb();
+}
+
+}  // namespace
+
+SkyAsAmbient::SkyAsAmbient(const World& world, const Lighting& lighting)
+    : world_(world), others_(world, without_environments(lighting)) {
+  for (const Light& light : lighting.lights)
+    if (const auto* sky = std::get_if<EnvironmentLight>(&light)) radiance_ += mean_radiance(*sky);
+}
+
+Rgb SkyAsAmbient::answer(const SurfaceSample& sample, const Vec3* toward_viewer, std::uint64_t key, std::size_t of_samples,
+                         const Accessibility& accessibility, RayStream& rays) const {
+  const int samples =
+      static_cast<int>(std::clamp(samples_a_call / std::max<std::size_t>(1, of_samples), fewest_samples, most_samples));
+  Rgb ambient;
+  if (sample.lit_side && !is_black(radiance_))
+    ambient = radiance_ * pi * accessibility.at(world_.ray_origin(sample), sample.normal);
+  if (toward_viewer == nullptr) return others_.irradiance(sample, key, samples, rays) + ambient;
+  return others_.radiance(sample, *toward_viewer, key, samples, rays) +
+         ambient * world_.scene().material_of_object(sample.object).diffuse / pi;
+}
+
+}  // namespace gibench::antiradiance

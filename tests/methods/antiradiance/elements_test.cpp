@@ -1,0 +1,120 @@
+/// Elements and their hierarchy: areas, bounds, and what bad geometry does to them.
+#include "methods/antiradiance/elements.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "methods/antiradiance/hierarchy.h"
+#include "tests/support/scene_builder.h"
+
+namespace gibench::antiradiance {
+namespace {
+
+struct Made {
+  explicit Made(Scene scene, double edge_length, int threads = 2)
+      : world(std::move(scene)),
+        task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}}),
+        mesh(world, {edge_length, 40.0F, true}),
+        elements(world, mesh, 16, 8, task),
+        hierarchy(elements, {}, task) {}
+  World world;
+  Task task;
+  SamplingMesh mesh;
+  Elements elements;
+  Hierarchy hierarchy;
+};
+
+Scene closed_block() {
+  test::SceneBuilder builder;
+  builder.block("block", builder.diffuse("white", Rgb(0.5F)), Vec3(0.0F), {1.0F, 2.0F, 3.0F});
+  return builder.build("block");
+}
+
+TEST(Elements, AreasSumToTheScenes) {
+  for (const double edge : {10.0, 0.3, 0.1}) {
+    const Made made(test::box_scene(), edge);
+    EXPECT_NEAR(made.elements.area(), made.world.total_area(), 1e-5 * made.world.total_area());
+  }
+}
+
+TEST(Elements, HaveAQuarterOfAQuadAndAThirdOfATriangle) {
+  test::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.quad("quad", white, {{{0.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}, {2.0F, 0.0F, -2.0F}, {0.0F, 0.0F, -2.0F}}});
+  builder.object("triangle", white, {{5.0F, 0.0F, 0.0F}, {8.0F, 0.0F, 0.0F}, {5.0F, 0.0F, -2.0F}}, {{0, 1, 2, 2}});
+  const Made made(builder.build("faces"), 100.0);
+  ASSERT_EQ(made.elements.size(), 7U);
+  for (std::uint32_t i = 0; i < 7; ++i) EXPECT_NEAR(made.elements.disc(i).area, 1.0F, 1e-5F);
+}
+
+TEST(Elements, SplitVerticesAtCreases) {
+  const Made made(closed_block(), 100.0);
+  EXPECT_EQ(made.elements.size(), 24U);
+  for (std::uint32_t i = 0; i < made.elements.size(); ++i)
+    EXPECT_NEAR(std::max({std::fabs(made.elements.disc(i).normal.x), std::fabs(made.elements.disc(i).normal.y),
+                          std::fabs(made.elements.disc(i).normal.z)}),
+                1.0F, 1e-5F);
+}
+
+TEST(Elements, InsideGeometryTakeNoPart) {
+  test::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, Vec3(0.0F), Vec3(4.0F));
+  builder.block("block", white, {1.0F, 0.0F, 1.0F}, {3.0F, 1.0F, 3.0F});
+  const Made made(builder.build("covered floor"), 0.25);
+  double exposed = 0.0;
+  for (std::uint32_t i = 0; i < made.elements.size(); ++i)
+    if (made.elements.sheet(i) == 0 && made.elements.disc(i).normal.y > 0.5F)
+      exposed += static_cast<double>(made.elements.disc(i).area);
+  // 16 points a cell: the covered share is known to within one sixteenth of the cells along the block's foot.
+  EXPECT_NEAR(exposed, 16.0 - 4.0, 32.0 * 0.0625 / 16.0 + 0.02);
+}
+
+TEST(Hierarchy, BoundsItsElements) {
+  const Made made(test::box_scene(), 0.08);
+  for (const Node& node : made.hierarchy.nodes()) {
+    double area = 0.0;
+    for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf) {
+      const Disc& disc = made.elements.disc(made.hierarchy.order()[leaf]);
+      area += static_cast<double>(disc.area);
+      const Vec3 offset = disc.centre - node.centre;
+      EXPECT_LE(glm::length(offset), node.reach * 1.0001F + 1e-6F);
+      EXPECT_LE(std::fabs(glm::dot(offset, node.normal)), node.thickness * 1.0001F + 1e-5F);
+      if (node.cone_sine < 1.0F) {
+        EXPECT_GT(glm::dot(disc.normal, node.normal), 0.0F);
+        EXPECT_LE(glm::length(glm::cross(disc.normal, node.normal)), node.cone_sine + 1e-4F);
+      }
+    }
+    EXPECT_NEAR(static_cast<double>(node.area), area, 1e-4 * area);
+  }
+}
+
+TEST(Hierarchy, IsTheSameForAnyNumberOfThreads) {
+  const Made one(test::box_scene(), 0.08, 1), two(test::box_scene(), 0.08, 2);
+  ASSERT_EQ(one.hierarchy.size(), two.hierarchy.size());
+  EXPECT_TRUE(std::equal(one.hierarchy.order().begin(), one.hierarchy.order().end(), two.hierarchy.order().begin()));
+  for (std::size_t i = 0; i < one.hierarchy.size(); ++i)
+    EXPECT_EQ(one.hierarchy.nodes()[i].centre, two.hierarchy.nodes()[i].centre);
+}
+
+TEST(Elements, LiveWithBadGeometry) {
+  test::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  // Zero area, duplicate vertices, two faces of opposite orientation, one that lies in another.
+  builder.object("bad", white,
+                 {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {1.0F, 0.0F, -1.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -1.0F}},
+                 {{0, 1, 1, 1}, {0, 1, 2, 2}, {2, 3, 4, 4}, {0, 2, 4, 4}, {3, 1, 2, 2}});
+  const Made made(builder.build("bad"), 0.5);
+  EXPECT_GT(made.elements.size(), 0U);
+  for (std::uint32_t i = 0; i < made.elements.size(); ++i) {
+    EXPECT_TRUE(is_finite(made.elements.disc(i).centre));
+    EXPECT_TRUE(is_finite(made.elements.disc(i).normal));
+    EXPECT_TRUE(std::isfinite(made.elements.disc(i).area));
+  }
+}
+
+}  // namespace
+}  // namespace gibench::antiradiance

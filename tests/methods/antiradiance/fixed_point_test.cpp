@@ -1,0 +1,89 @@
+/// The solver of x = b + M x on matrices whose behaviour is known: none may fail unnoticed.
+#include "methods/antiradiance/fixed_point.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace gibench::antiradiance {
+namespace {
+
+struct Solved {
+  FixedPointOutcome outcome;
+  Vector x;
+};
+
+/// M has these eigenvalues.
+Solved solve(const Vector& eigenvalues, const FixedPointRule& rule = {}) {
+  Task task;
+  Solved solved;
+  const Vector b = Vector::Ones(eigenvalues.size());
+  const LinearMap map = [&](const Vector& in, Vector& out) { out = eigenvalues.cwiseProduct(in); };
+  solved.outcome = solve_fixed_point(b, map, rule, solved.x, task);
+  return solved;
+}
+
+void expect_solution(const Solved& solved, const Vector& eigenvalues, float tolerance) {
+  for (Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
+    const float expected = 1.0F / (1.0F - eigenvalues[i]);
+    EXPECT_NEAR(solved.x[i], expected, tolerance * std::abs(expected)) << solved.outcome.message;
+  }
+}
+
+TEST(FixedPoint, SeriesThatFadesIsSummed) {
+  const Vector eigenvalues = Vector::LinSpaced(50, -0.6F, 0.6F);
+  const Solved solved = solve(eigenvalues);
+  EXPECT_EQ(solved.outcome.termination, Termination::converged);
+  EXPECT_EQ(solved.outcome.ended_with, Iteration::neumann);
+  expect_solution(solved, eigenvalues, 1e-3F);
+}
+
+TEST(FixedPoint, NegativeLightThatGrowsIsDamped) {
+  const Vector eigenvalues = Vector::LinSpaced(50, -1.8F, 0.3F);
+  const Solved solved = solve(eigenvalues);
+  EXPECT_EQ(solved.outcome.termination, Termination::converged) << solved.outcome.message;
+  EXPECT_EQ(solved.outcome.ended_with, Iteration::damped);
+  EXPECT_FALSE(solved.outcome.message.empty());
+  expect_solution(solved, eigenvalues, 1e-3F);
+}
+
+TEST(FixedPoint, WhatNoSeriesSolvesGoesToKrylov) {
+  Vector eigenvalues = Vector::LinSpaced(40, -12.0F, 0.5F);
+  eigenvalues[0] = 4.0F;
+  const Solved solved = solve(eigenvalues);
+  EXPECT_EQ(solved.outcome.termination, Termination::converged) << solved.outcome.message;
+  EXPECT_EQ(solved.outcome.ended_with, Iteration::krylov);
+  expect_solution(solved, eigenvalues, 2e-2F);
+}
+
+TEST(FixedPoint, SlowSeriesGoesToKrylov) {
+  const Vector eigenvalues = Vector::LinSpaced(40, 0.0F, 0.995F);
+  const Solved solved = solve(eigenvalues);
+  EXPECT_EQ(solved.outcome.termination, Termination::converged) << solved.outcome.message;
+  EXPECT_EQ(solved.outcome.ended_with, Iteration::krylov);
+  expect_solution(solved, eigenvalues, 2e-2F);
+}
+
+TEST(FixedPoint, SingularSystemIsReported) {
+  const Solved solved = solve(Vector::Ones(4));
+  EXPECT_EQ(solved.outcome.termination, Termination::not_converged);
+  EXPECT_NE(solved.outcome.message.find("BiCGSTAB"), std::string::npos);
+}
+
+TEST(FixedPoint, NoLightNeedsNoIteration) {
+  Task task;
+  Vector x;
+  const FixedPointOutcome outcome = solve_fixed_point(
+      Vector::Zero(5), [](const Vector&, Vector&) { FAIL(); }, {}, x, task);
+  EXPECT_EQ(outcome.termination, Termination::converged);
+  EXPECT_EQ(x, Vector::Zero(5));
+}
+
+TEST(FixedPoint, TermsAskedForAreCountedOut) {
+  const Solved solved = solve(Vector::Constant(3, -1.5F), {1e-4, 200, 3});
+  EXPECT_EQ(solved.outcome.termination, Termination::bound_reached);
+  EXPECT_FLOAT_EQ(solved.x[0], 1.0F - 1.5F + 2.25F);
+}
+
+}  // namespace
+}  // namespace gibench::antiradiance
