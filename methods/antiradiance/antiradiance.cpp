@@ -256,7 +256,7 @@ MethodEntry antiradiance_entry() {
           "course notes on finite elements at interactive rates, after Bunnell 2005, Dong et al. 2007, Dachsbacher et al. 2007, "
           "Meyer et "
           "al. 2009",
-          "C<[DG]>*[<LO>]",
+          "C(<R[DG]>)*[LOB]",
           settings_schema(),
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Antiradiance>(settings_from(parameters));

@@ -141,7 +141,8 @@ MethodEntry meshless_entry() {
           settings_schema(),
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Meshless>(settings_from(parameters));
-          }};
+          },
+          {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "64"}, {"coarsest_rays", "128"}}};
 }
 
 }  // namespace gibench

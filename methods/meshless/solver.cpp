@@ -22,8 +22,8 @@ constexpr std::size_t direct_chunk = 64;        // points
 constexpr double least_ratio_left = 1e-6;       // 1 - ratio of two bounces, below which a tail is not summed
 constexpr double gather_noise = 0.03;           // that direct light evaluated at the hits may bring into a gather, of the mean
 constexpr double most_hit_samples = 4.0;        // at a hit, to keep to that; noisier direct light goes through the basis …
-constexpr double point_noise = 0.2;             // … with this much noise at a basis point: a gather sees hundreds of them
-constexpr double most_point_samples = 2048.0;
+constexpr double point_noise = 0.3;             // … with this much noise at a basis point: a gather sees hundreds of them
+constexpr double most_point_samples = 1024.0;
 
 RgbDouble magnitude_mean(const Coefficients& coefficients) {
   const std::uint32_t count = coefficients.hierarchy().level_size(0);

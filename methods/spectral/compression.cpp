@@ -30,11 +30,12 @@ Vec3 place_of_light(const World& world, const SamplingMesh& mesh, std::uint64_t 
   return from.position + (0.5F * (hit ? hit.distance : 0.5F * world.diagonal())) * direction;
 }
 
-float irradiance_from(const Vec3& light, const World& world, const SurfaceSample& sample, float nearest, RayStream& rays) {
+float irradiance_from(const Vec3& light, const World& world, const SurfaceSample& sample, float nearest, bool occlusion,
+                      RayStream& rays) {
   const Vec3 origin = world.ray_origin(sample), toward = light - origin;
   const float squared = std::max(glm::dot(toward, toward), nearest * nearest);
   const float cosine = glm::dot(toward, sample.normal) / std::sqrt(squared);
-  if (!(cosine > 0.0F) || rays.occluded({origin, 0.0F, toward, 1.0F})) return 0.0F;
+  if (!(cosine > 0.0F) || (occlusion && rays.occluded({origin, 0.0F, toward, 1.0F}))) return 0.0F;
   return cosine / squared;
 }
 
@@ -122,7 +123,7 @@ Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::ui
   Rgb sum;
   for (std::uint32_t i = 0; i < sky_rays; ++i) {
     const Vec3 direction = frame.to_world(cosine_hemisphere(directions.pair(i, 0).unit()));
-    if (rays.occluded({world.ray_origin(sample), 0.0F, direction})) continue;
+    if (rays.closest_hit({world.ray_origin(sample), 0.0F, direction})) continue;
     sum += Rgb(1.0F, direction.y > 0.0F ? 1.0F : 0.0F, direction.x + direction.z > 0.0F ? 1.0F : 0.0F);
   }
   return sum;
@@ -131,7 +132,7 @@ Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::ui
 }  // namespace
 
 std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
-                                            std::span<const std::uint32_t> vertex_of_slot, Task& task) {
+                                            std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task) {
   std::vector<std::vector<Rgb4>> lights;
   std::vector<double> area;
   for (const std::uint32_t vertex : vertex_of_slot) area.push_back(static_cast<double>(mesh.vertices()[vertex].area));
@@ -149,7 +150,7 @@ std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMe
         const std::uint32_t vertex = vertex_of_slot[slot];
         const SurfaceSample sample = mesh.sample(world, vertex, mesh.sites(vertex).front());
         const float nearest = std::sqrt(mesh.vertices()[vertex].area);
-        const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, rays); };
+        const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, occlusion, rays); };
         field[slot] = skies ? irradiance_from_sky(world, sample, vertex, rays) : Rgb(from(0), from(1), from(2));
       }
     });

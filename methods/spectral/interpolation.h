@@ -14,6 +14,8 @@ namespace gibench::spectral {
 class Interpolation {
  public:
   Interpolation() = default;
+  /// For a scene whose surfaces do not hide one another: no edge is cut.
+  explicit Interpolation(const SamplingMesh& mesh) : cut_edges_(mesh.triangles().size(), 0) {}
   /// Three occlusion rays a mesh triangle, along its edges just above it.
   Interpolation(const World& world, const SamplingMesh& mesh, Task& task);
 

@@ -68,6 +68,7 @@ class Spectral : public TransportMethod {
     for (std::uint32_t object = 0; object < world().scene().objects.size(); ++object)
       wish.reflectance.push_back(reflectance_of(object));
     wish.most_bounces = plan().max_bounces.value_or(0);
+    wish.occlusion = plan().simulated.contains(Effect::occlusion);
     glossy_objects_ = wish.glossy_objects;
     TransferMaking made = make_transfer(world(), settings_, wish, task);
     transfer_ = std::move(made.transfer);
@@ -202,7 +203,7 @@ MethodEntry spectral_entry() {
           "relighting: direct-to-indirect transfer over a spectral mesh basis, precomputed by rays",
           "Wang, Zhu, Humphreys: Precomputed Radiance Transfer for Real-Time Indirect Lighting using a Spectral Mesh Basis, "
           "Eurographics Symposium on Rendering 2007",
-          "C(<R[DGS]><RD>*)?[LO]",
+          "C(<R[DGS]><RD>*){0,1}[LO]",
           settings_schema(),
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Spectral>(settings_from(parameters));

@@ -39,7 +39,8 @@ class TransferMaker {
     task_.count("vertices", transfer().mesh->vertices().size());
     if (transfer().mesh->refused_faces() > 0) task_.count("non_manifold_faces", transfer().mesh->refused_faces());
     task_.progress("sampling mesh", 0.02);
-    transfer().interpolation = Interpolation(world_, *transfer().mesh, task_);
+    const SamplingMesh& mesh = *transfer().mesh;
+    transfer().interpolation = wish_.occlusion ? Interpolation(world_, mesh, task_) : Interpolation(mesh);
   }
 
   void make_basis() {
@@ -76,7 +77,7 @@ class TransferMaker {
     const bool compressed = settings_.compression_error > 0.0;
     std::vector<std::vector<Rgb4>> lights;
     if (compressed) {
-      lights = trial_lights(world_, *transfer().mesh, transfer().basis, transfer().vertex_of_slot, task_);
+      lights = trial_lights(world_, *transfer().mesh, transfer().basis, transfer().vertex_of_slot, wish_.occlusion, task_);
       steps = choose_steps(transfer().basis, with_ambient(lights, transfer().basis, ambient()), pilot(rays),
                            settings_.compression_error);
     }

@@ -35,6 +35,7 @@ struct TransferWish {
   std::vector<bool> glossy_objects;  ///< whose vertices get harmonic slices; empty: none
   std::vector<Rgb4> reflectance;     ///< ρ/π of every object, 1/sr; for T*
   int most_bounces = 0;              ///< in T*
+  bool occlusion = true;             ///< surfaces may hide one another; false: no visibility ray is traced
 };
 
 struct TransferMaking {

@@ -21,7 +21,8 @@ struct Outcome {
 Outcome run(const Scene& scene, const PlanLimits& limits = {}) {
   const World world(scene, 1);
   const MethodEntry entry = meshless_entry();
-  const auto method = entry.make(Parameters(entry.schema, {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "128"}}));
+  const auto method = entry.make(
+      Parameters(entry.schema, {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "128"}, {"coarsest_rays", "128"}}));
   const EffectPlan plan = plan_effects(analyse_effects(world, limits), effects_of(method->capabilities()));
   Task task;
   EXPECT_TRUE(succeeded(method->prepare(world, plan, task).termination));
