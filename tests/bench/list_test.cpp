@@ -65,9 +65,9 @@ TEST(Call, WrongCallsExitWithTwoAndOneLine) {
 TEST(Call, HelpNamesTheVerbsThatExistAndNoOthers) {
   const Outcome help = Workshop().gibench({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* verb : {"list", "check", "run", "query", "reference", "compare", "study", "report"})
+  for (const char* verb : {"list", "check", "run", "query", "reference", "compare", "relight", "study", "report"})
     EXPECT_THAT(help.out, HasSubstr(verb));
-  for (const char* verb : {"relight", "selftest", "gate"}) EXPECT_THAT(help.out, testing::Not(HasSubstr(verb)));
+  for (const char* verb : {"edit", "selftest", "gate"}) EXPECT_THAT(help.out, testing::Not(HasSubstr(verb)));
 }
 
 TEST(Call, AFullDiskUnderStdoutIsAFailure) {
