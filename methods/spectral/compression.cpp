@@ -117,13 +117,15 @@ double added_error(std::span<const PilotRow> rows, const std::vector<std::vector
 }
 
 /// What a sky of three kinds brings to a point: all round, from above, and from one side.
-Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::uint32_t vertex, RayStream& rays) {
+Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::uint32_t vertex, bool occlusion, RayStream& rays) {
   const Frame frame(sample.normal);
   const SobolSequence directions(mix_keys(sky_stage, vertex));
   Rgb sum;
   for (std::uint32_t i = 0; i < sky_rays; ++i) {
     const Vec3 direction = frame.to_world(cosine_hemisphere(directions.pair(i, 0).unit()));
-    if (rays.closest_hit({world.ray_origin(sample), 0.0F, direction})) continue;
+    const Ray ray{world.ray_origin(sample), 0.0F, direction};
+    // Where nothing hides anything the ray asks which wall it meets, not whether it is free.
+    if (occlusion ? rays.occluded(ray) : static_cast<bool>(rays.closest_hit(ray))) continue;
     sum += Rgb(1.0F, direction.y > 0.0F ? 1.0F : 0.0F, direction.x + direction.z > 0.0F ? 1.0F : 0.0F);
   }
   return sum;
@@ -151,7 +153,7 @@ std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMe
         const SurfaceSample sample = mesh.sample(world, vertex, mesh.sites(vertex).front());
         const float nearest = std::sqrt(mesh.vertices()[vertex].area);
         const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, occlusion, rays); };
-        field[slot] = skies ? irradiance_from_sky(world, sample, vertex, rays) : Rgb(from(0), from(1), from(2));
+        field[slot] = skies ? irradiance_from_sky(world, sample, vertex, occlusion, rays) : Rgb(from(0), from(1), from(2));
       }
     });
     scale_to_unit_mean(field, area);
