@@ -8,6 +8,7 @@
 
 #include "common/core/random.h"
 #include "common/effects/scene_effects.h"
+#include "common/geometry/has_area.h"
 #include "methods/antiradiance/accessibility.h"
 #include "methods/antiradiance/bin_transport.h"
 #include "methods/antiradiance/discretisation.h"
@@ -46,12 +47,7 @@ class Antiradiance : public TransportMethod {
     if (settings_.mode == Mode::antiradiance)
       for (const Object& object : scene.objects)
         if (std::string why = too_narrow_for_bins(scene.materials[object.material], settings_.bins); !why.empty()) return why;
-    for (const Triangle& triangle : scene.triangles) {
-      const auto& [a, b, c] = triangle.corners;
-      if (glm::length(glm::cross(Vec3d(scene.vertices[b] - scene.vertices[a]), Vec3d(scene.vertices[c] - scene.vertices[a]))) >
-          0.0)
-        return std::nullopt;
-    }
+    if (has_area(scene)) return std::nullopt;
     return "every face of the scene has zero area: there is nowhere to put elements";
   }
 

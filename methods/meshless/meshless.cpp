@@ -4,6 +4,7 @@
 
 #include "common/core/error.h"
 #include "common/effects/scene_facts.h"
+#include "common/geometry/has_area.h"
 #include "methods/meshless/placement.h"
 #include "methods/meshless/settings.h"
 #include "methods/meshless/solver.h"
@@ -31,12 +32,7 @@ class Meshless : public TransportMethod {
 
   std::optional<std::string> refusal(const Scene& scene) const override {
     if (scene.triangles.empty()) return "the scene has no surfaces to put basis points on";
-    for (const Triangle& triangle : scene.triangles) {
-      const auto& [a, b, c] = triangle.corners;
-      if (glm::length(glm::cross(Vec3d(scene.vertices[b] - scene.vertices[a]), Vec3d(scene.vertices[c] - scene.vertices[a]))) >
-          0.0)
-        return std::nullopt;
-    }
+    if (has_area(scene)) return std::nullopt;
     return "every face of the scene has zero area: there is nowhere to put basis points";
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/geometry/has_area.h"
 #include "methods/spectral/lobe_store.h"
 #include "methods/spectral/relighting.h"
 #include "methods/spectral/vertex_light.h"
@@ -29,12 +30,7 @@ class Spectral : public TransportMethod {
 
   std::optional<std::string> refusal(const Scene& scene) const override {
     if (scene.triangles.empty()) return "the scene has no surfaces to put a sampling mesh on";
-    for (const Triangle& triangle : scene.triangles) {
-      const auto& [a, b, c] = triangle.corners;
-      if (glm::length(glm::cross(Vec3d(scene.vertices[b] - scene.vertices[a]), Vec3d(scene.vertices[c] - scene.vertices[a]))) >
-          0.0)
-        return std::nullopt;
-    }
+    if (has_area(scene)) return std::nullopt;
     return "every face of the scene has zero area: there is no surface to put a sampling mesh on";
   }
 
