@@ -9,12 +9,48 @@ target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
                        # the compiler is told not to choose: same seed, same bits.
                        -ffp-contract=off)
 target_compile_definitions(gibench_options INTERFACE $<$<BOOL:${GIBENCH_STD_THREADS}>:GIBENCH_STD_THREADS>)
-target_link_libraries(gibench_options INTERFACE Threads::Threads)
+target_link_libraries(gibench_options INTERFACE Threads::Threads fmt::fmt nlohmann_json::nlohmann_json glm::glm)
 
 # gibench_cool(TARGET): code without hot loops (verbs, loaders, tests) compiles in two thirds of the time this way.
 function(gibench_cool TARGET)
   target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
+
+# gibench_precompile(KIND ...): headers of others that most files include, parsed once for all targets of a kind: the
+# compiler takes them only where its options are the same, so hot code, cool code and tests have each their own.
+function(gibench_precompile KIND)
+  set(source ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "int main() {}\n")
+  if(KIND STREQUAL test)
+    add_executable(gibench_precompiled_${KIND} ${source})  # as programs are: -fPIE
+    target_link_libraries(gibench_precompiled_${KIND} PRIVATE GTest::gmock GTest::gtest)
+  else()
+    add_library(gibench_precompiled_${KIND} OBJECT ${source})
+  endif()
+  target_link_libraries(gibench_precompiled_${KIND} PRIVATE gibench_options)
+  if(NOT KIND STREQUAL hot)
+    gibench_cool(gibench_precompiled_${KIND})
+  endif()
+  target_precompile_headers(gibench_precompiled_${KIND} PRIVATE ${ARGN})
+endfunction()
+
+# gibench_use_precompiled(TARGET KIND)
+function(gibench_use_precompiled TARGET KIND)
+  if(GIBENCH_PRECOMPILED_HEADERS)
+    target_precompile_headers(${TARGET} REUSE_FROM gibench_precompiled_${KIND})
+    # GCC 12 warns of std::string's own inlined code when it comes from a precompiled header; the sanitizers' builds,
+    # which use none, keep these warnings.
+    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict>)
+  endif()
+endfunction()
+
+if(GIBENCH_PRECOMPILED_HEADERS)
+  set(usual <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numeric> <optional>
+      <set> <span> <string> <utility> <vector> <fmt/format.h> <glm/glm.hpp>)
+  gibench_precompile(hot ${usual})
+  gibench_precompile(cool ${usual} <nlohmann/json.hpp>)
+  gibench_precompile(test ${usual} <nlohmann/json.hpp> <gmock/gmock.h> <gtest/gtest.h>)
+endif()
 
 # gibench_library(NAME [COOL] LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder.
 function(gibench_library NAME)
@@ -25,6 +61,9 @@ function(gibench_library NAME)
     target_link_libraries(gibench_${NAME} PUBLIC gibench_options ${ARG_LIBRARIES})
     if(ARG_COOL)
       gibench_cool(gibench_${NAME})
+      gibench_use_precompiled(gibench_${NAME} cool)
+    else()
+      gibench_use_precompiled(gibench_${NAME} hot)
     endif()
   else()  # headers only
     add_library(gibench_${NAME} INTERFACE)
@@ -42,6 +81,7 @@ function(gibench_test NAME)
   target_compile_definitions(test_${NAME} PRIVATE GIBENCH_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}"
                              GIBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GIBENCH_PROGRAM="${CMAKE_BINARY_DIR}/bin/gibench")
   gibench_cool(test_${NAME})
+  gibench_use_precompiled(test_${NAME} test)
   include(GoogleTest)
   gtest_discover_tests(test_${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
 endfunction()
