@@ -1,6 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/light_path.h"
+#include "common/scene/load.h"
 #include "tests/bench/program.h"
 
 namespace gibench::test {
@@ -53,6 +58,60 @@ TEST(Relight, EveryFrameHasItsCostAndItsErrors) {
   EXPECT_GT(json["summary"]["prepare_seconds"].get<double>(), 0.0);
 }
 
+/// What the summary says of path tracing follows from what the frames say.
+TEST(Relight, TheSummaryHoldsAFrameAgainstPathTracing) {
+  const Workshop shop;
+  const Outcome outcome =
+      relight(shop, brightening_path(), {"--reference-samples", "256", "--surface-samples", "64", "--frames", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json json = outcome.json();
+  const Json &frame = json["frames"][0], &summary = json["summary"], &rmse = frame["errors"]["indirect"]["rmse"];
+  ASSERT_FALSE(rmse["below_noise_floor"].get<bool>()) << "a mesh of 200 vertices errs more than 2048 paths do";
+  EXPECT_EQ(frame["reference"]["paths"], 2048.0);
+  // The floor is the noise of the mean of all replicates: another estimate of the same standard error.
+  EXPECT_NEAR(frame["reference"]["rmse"].get<double>() / rmse["noise_floor"].get<double>(), 1.0, 0.5);
+  const double ratio = frame["reference"]["rmse"].get<double>() / rmse["value"].get<double>();
+  const double wanted = std::max(1.0 / 2048.0, ratio * ratio) * frame["reference"]["seconds"].get<double>();
+  const double seconds = summary["path_tracing_seconds_at_equal_error"]["value"].get<double>();
+  EXPECT_NEAR(seconds / wanted, 1.0, 1e-9);
+  const double one = summary["median_seconds"]["relight"].get<double>() + summary["median_seconds"]["shade"].get<double>();
+  EXPECT_NEAR(summary["path_tracing_over_frame"]["value"].get<double>() / (seconds / one), 1.0, 1e-9);
+  const Json& frames = summary["frames_that_pay_for_prepare"];
+  if (!frames.contains("value")) return;  // path tracing is the faster here
+  const double pays = frames["value"].get<double>(), prepare = summary["prepare_seconds"].get<double>();
+  EXPECT_LE(prepare + pays * one, pays * seconds * (1.0 + 1e-12));
+  EXPECT_GT(prepare + (pays - 1.0) * one, (pays - 1.0) * seconds) << "one frame less does not pay";
+}
+
+TEST(Relight, BelowTheNoiseFloorOnlyABoundIsGiven) {
+  const Workshop shop;
+  shop.write("furnace.scene.json", furnace_scene());  // one radiance everywhere: the mesh is exact, the reference is not
+  shop.write("path.json", Json{{"gibench_light_path", 1}, {"frames", 1}});
+  const Outcome outcome = shop.gibench({"relight", "furnace.scene.json", "--method", "spectral", "--set", "vertices=200", "--set",
+                                        "rays=64", "--set", "residual=1e-9", "--set", "compression_error=0", "--lights",
+                                        "path.json", "--reference-samples", "4", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json json = outcome.json();
+  ASSERT_TRUE(json["frames"][0]["errors"]["indirect"]["rmse"]["below_noise_floor"].get<bool>());
+  const Json& seconds = json["summary"]["path_tracing_seconds_at_equal_error"];
+  EXPECT_FALSE(seconds.contains("value"));
+  EXPECT_GT(seconds["ci95"][0].get<double>(), 0.0);
+  EXPECT_TRUE(seconds["ci95"][1].is_null());
+}
+
+/// A BRDF that switches is relit in place: the errors stay those of a scene prepared with it.
+TEST(Relight, BrdfsSwitchOnTheWay) {
+  const Workshop shop;
+  const Json phong{{"at", 0.5},       {"material", "wall"}, {"bsdf", "phong"}, {"diffuse", {0.3, 0.3, 0.3}},
+                   {"specular", 0.3}, {"exponent", 8}};
+  const Outcome outcome = relight(shop, {{"gibench_light_path", 1}, {"frames", 3}, {"switches", Json::array({phong})}},
+                                  {"--reference-samples", "16", "--surface-samples", "64"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json frames = outcome.json()["frames"];
+  EXPECT_EQ(frames[1]["switched"], Json::array({"wall"}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(frames[i]["errors"]["total"]["relative_rmse"]["value"].get<double>(), 0.25) << i;
+}
+
 TEST(Relight, FramesAndOutAreTakenFromTheCall) {
   const Workshop shop;
   const Outcome outcome = relight(shop, brightening_path(), {"--frames", "2", "--out", "frames.json"});
@@ -90,6 +149,20 @@ TEST(Relight, BadPathsNameFilePlaceAndMend) {
   expect_bad_input(relight(shop, wrong_kind), {"path.json", "$.lights[0].keys[1]", "direction"});
   expect_bad_input(relight(shop, no_material), {"path.json", "$.switches[0].material", "chalk"});
   expect_bad_input(relight(shop, bad_albedo), {"path.json", "$.switches[0].albedo", "1.5"});
+}
+
+/// Every light path beside the scenes is one of the scene that it is named after.
+TEST(LightPaths, OfTheScenesAreReadable) {
+  namespace fs = std::filesystem;
+  int found = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(GIBENCH_SOURCE_DIR "/scenes")) {
+    const std::string name = entry.path().filename().string(), ending = ".lights.json";
+    if (!name.ends_with(ending)) continue;
+    ++found;
+    const Scene scene = load_scene(entry.path().parent_path() / (name.substr(0, name.size() - ending.size()) + ".scene.json"));
+    EXPECT_GT(read_light_path(entry.path(), scene, std::nullopt).size(), 1U) << name;
+  }
+  EXPECT_GE(found, 3);
 }
 
 }  // namespace
