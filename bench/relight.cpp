@@ -28,7 +28,7 @@ struct RelightOptions {
   std::vector<std::string> settings;
   std::filesystem::path path, out;
   std::optional<int> frames, bounces;
-  std::size_t surface_samples = 1024;
+  std::size_t surface_samples = 1024, compared_samples = 0;
   std::uint64_t reference_samples = 0;
 };
 
@@ -55,6 +55,7 @@ class Relighter {
     measuring_.bounces = options.bounces;
     question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
     points_ = measuring_points(*world_, question_, common.threads);
+    if (options.compared_samples > 0) question_.surface_samples = options.compared_samples;
   }
 
   void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, PlanOptions{}, options_.bounces, task_, log); }
@@ -70,7 +71,14 @@ class Relighter {
     const Answers answers = shade_surface(*lit_.method, points_, task_);
     require_success(answers.report, choice_.entry->name, "shade");
     record.shade_seconds = answers.report.seconds;
-    if (options_.reference_samples > 0) compare(frame, answers, record);
+    if (options_.reference_samples == 0) return record;
+    if (question_.surface_samples == points_.surface.size()) {
+      compare(frame, answers, record);
+      return record;
+    }
+    const Answers compared = shade_surface(*lit_.method, measuring_points(*world_, question_, common_.threads), task_);
+    require_success(compared.report, choice_.entry->name, "shade");
+    compare(frame, compared, record);
     return record;
   }
 
@@ -110,7 +118,8 @@ class Relighter {
     const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);
     record.errors["total"] = value_errors(answers.total(), total);
     const double paths = static_cast<double>(options_.reference_samples) * reference_replicas;
-    record.reference = PathTraced{reference.seconds, root_mean_variance(reference.surface.indirect), paths};
+    const PathTraced compared{reference.seconds, root_mean_variance(reference.surface.indirect), paths};
+    record.reference = at_as_many_points(compared, question_.surface_samples, points_.surface.size());
     record.path_tracing = path_tracing_seconds(*record.reference, record.errors["indirect"]["rmse"]);
   }
 
@@ -160,8 +169,13 @@ void add_relight(CLI::App& app, Call& call) {
   verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
   verb->add_option("--lights", options->path, "JSON file of the path; see scenes/README.md")->required();
   verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
-  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which irradiance is asked and compared")
+  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which a frame's irradiance is asked")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  verb->add_option(
+          "--compared-samples", options->compared_samples,
+          "Surface samples at which frames are compared, path tracing's time being taken in proportion; 0: as many as asked")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100'000'000}))
       ->capture_default_str();
   verb->add_option("--reference-samples", options->reference_samples,
                    "Paths a value in each of eight path-traced replicates that every frame is compared with; 0: no errors")

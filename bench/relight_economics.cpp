@@ -17,6 +17,12 @@ std::optional<double> if_finite(double value) { return std::isfinite(value) ? st
 
 }  // namespace
 
+PathTraced at_as_many_points(const PathTraced& traced, std::size_t compared, std::size_t asked) {
+  PathTraced scaled = traced;
+  scaled.seconds *= static_cast<double>(asked) / static_cast<double>(compared);
+  return scaled;
+}
+
 Bounded path_tracing_seconds(const PathTraced& traced, const ErrorValue& rmse) {
   if (!(traced.seconds > 0.0) || !(traced.rmse > 0.0) || !std::isfinite(rmse.value)) return {};
   const double one_path = traced.seconds / std::max(1.0, traced.paths);

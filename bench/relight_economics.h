@@ -1,6 +1,7 @@
 /// What a relit frame is worth: path tracing's time for the same error, and the frames after which preparing has paid.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -19,6 +20,9 @@ struct PathTraced {
   double rmse = 0.0;   ///< standard error of the values, root mean square over points and channels
   double paths = 1.0;  ///< a value, over all replicates
 };
+
+/// The same at `asked` points instead of at `compared`: path tracing takes as long at every point.
+PathTraced at_as_many_points(const PathTraced& traced, std::size_t compared, std::size_t asked);
 
 /// Seconds of path tracing to the error `rmse` (in the unit of `traced.rmse`): the squared error of independent paths falls
 /// as one over their number, so s = seconds · (traced.rmse / rmse)², and never less than one path a value takes. The interval is

@@ -145,6 +145,7 @@ StudyRelight relight_at(const json& entry, const JsonPlace& place, const fs::pat
   require_relighting({&method, parameters}, place["method"].text());
   if (entry.contains("frames")) relight.frames = entry["frames"].get<int>();
   relight.surface_samples = entry.value("surface_samples", study.measuring.surface_samples);
+  relight.compared_samples = entry.value("compared_samples", relight.compared_samples);
   relight.reference_samples = entry.value("reference_samples", relight.reference_samples);
   return relight;
 }

@@ -44,6 +44,7 @@ struct StudyRelight {
   std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
   std::optional<int> frames;
   std::size_t surface_samples = 0;
+  std::size_t compared_samples = 0;      ///< 0: as many as are asked
   std::uint64_t reference_samples = 64;  ///< paths a value and replicate
 };
 

@@ -256,6 +256,8 @@ void StudyRunner::relight_one(const PlannedRelight& planned) {
                                        std::to_string(common_.seed),
                                        "--surface-samples",
                                        std::to_string(relight.surface_samples),
+                                       "--compared-samples",
+                                       std::to_string(relight.compared_samples),
                                        "--reference-samples",
                                        std::to_string(relight.reference_samples)};
     for (const std::string& setting : relight.settings) arguments.insert(arguments.end(), {"--set", setting});

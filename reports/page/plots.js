@@ -70,6 +70,9 @@
     return value < 1 ? `${+(value * 1e3).toPrecision(3)} ms` : `${+value.toPrecision(3)} s`;
   }
 
+  // Runs that a line joins: those of one sweep, whose labels end in its values; without such an ending those of a method.
+  const seriesOf = (run) => (/ [^ =]+=[^ ]*$/.test(run.label) ? `${run.method} ${run.label.replace(/=[^ ]*$/, "")}` : run.method);
+
   // The points of one scene for one error; `left_out` counts runs that a log axis cannot show.
   function errorPoints(study, scene, key) {
     const domain = study.keys[key].domain, metric = study.metrics[study.keys[key].metric];
@@ -81,7 +84,7 @@
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
       points.push({
-        index, run: run.label, method: run.method, series: run.method, x: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
+        index, run: run.label, method: run.method, series: seriesOf(run), x: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
         floor: error.floor ?? null,
         low: error.low === undefined ? null : Math.max(error.low, smallest), high: error.high ?? null,
       });

@@ -50,6 +50,13 @@ TEST(PathTracingSeconds, AreAtLeastThoseOfOnePath) {
   EXPECT_THAT(path_tracing_seconds(traced, error(1.0, 1.0, 1.0)).value, Optional(0.5));
 }
 
+TEST(PathTracingSeconds, GrowWithThePointsThatAreAsked) {
+  const PathTraced many = at_as_many_points({8.0, 0.02, 512.0}, 100, 3000);
+  EXPECT_DOUBLE_EQ(many.seconds, 240.0);
+  EXPECT_EQ(many.rmse, 0.02);
+  EXPECT_EQ(many.paths, 512.0);
+}
+
 TEST(PathTracingSeconds, BelowTheNoiseFloorHaveALowerBoundAlone) {
   const PathTraced traced{8.0, 0.02, 512.0};
   const Bounded seconds = path_tracing_seconds(traced, {0.005, 0.0, 0.01, 0.02, true});
