@@ -27,6 +27,7 @@ Answers shade(const TransportMethod& method, Quantity quantity, std::span<const 
 }  // namespace
 
 std::optional<Camera> chosen_camera(const Scene& scene, const MeasuringOptions& options) {
+  if (!options.pictures) return std::nullopt;
   std::optional<Camera> camera;
   std::string known;
   for (const Camera& candidate : scene.cameras) {

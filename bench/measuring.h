@@ -20,10 +20,12 @@ struct MeasuringOptions {
   std::optional<int> bounces;        ///< reflections between a light and the surface asked about; empty: all
   std::string light_paths;           ///< of a reference: only these paths; empty: all
   std::uint64_t reference_seed = 1;  ///< of the surface samples, the camera rays and the reference
+  bool pictures = true;              ///< false: surface samples alone
   int image_width = 0;               ///< pixels, the camera's shape kept; 0: the camera's own resolution
 };
 
-/// The camera that the options name, scaled to the width that they ask for; empty for a scene without cameras.
+/// The camera that the options name, scaled to the width that they ask for; empty for a scene without cameras and where no
+/// pictures are wanted.
 /// Throws InputError for an unknown name, the known ones listed.
 std::optional<Camera> chosen_camera(const Scene& scene, const MeasuringOptions& options);
 

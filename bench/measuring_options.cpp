@@ -27,6 +27,8 @@ void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {
   verb.add_option("--camera", options.camera, "Camera by name; without it: the scene's first");
   verb.add_option("--width", options.image_width, "Width of the picture in pixels, its shape kept; 0: the camera's own")
       ->check(CLI::Range(0, 16384));
+  verb.add_flag_callback(
+      "--no-pictures", [&options] { options.pictures = false; }, "Surface samples alone, no camera picture");
   add_bounces_option(verb, options.bounces);
 }
 
@@ -36,6 +38,7 @@ std::string command_line_of(const MeasuringOptions& options) {
   if (options.surface_samples != defaults.surface_samples) line += fmt::format(" --surface-samples {}", options.surface_samples);
   if (options.pixel_samples != defaults.pixel_samples) line += fmt::format(" --pixel-samples {}", options.pixel_samples);
   if (!options.camera.empty()) line += " --camera " + options.camera;
+  if (!options.pictures) line += " --no-pictures";
   if (options.image_width != 0) line += fmt::format(" --width {}", options.image_width);
   if (!options.light_paths.empty()) line += fmt::format(" --light-paths '{}'", options.light_paths);
   if (options.bounces) line += fmt::format(" --bounces {}", *options.bounces);

@@ -9,7 +9,7 @@ class App;
 
 namespace gibench {
 
-/// --surface-samples, --pixel-samples, --camera, --width, --bounces
+/// --surface-samples, --pixel-samples, --camera, --width, --no-pictures, --bounces
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options);
 /// --bounces alone
 void add_bounces_option(CLI::App& verb, std::optional<int>& bounces);

@@ -10,12 +10,12 @@
 #include "bench/measuring_options.h"
 #include "bench/print_json.h"
 #include "bench/reference_making.h"
+#include "bench/relight_record.h"
 #include "bench/run_method.h"
 #include "bench/verbs.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/metrics/errors.h"
-#include "methods/registry.h"
 
 namespace gibench {
 
@@ -28,31 +28,11 @@ struct RelightOptions {
   std::vector<std::string> settings;
   std::filesystem::path path, out;
   std::optional<int> frames, bounces;
-  std::size_t surface_samples = 1024;
+  std::size_t surface_samples = 1024, compared_samples = 0;
   std::uint64_t reference_samples = 0;
 };
 
 constexpr int reference_replicas = 8;
-
-/// One relit frame: its cost, and its errors where a reference was asked for.
-struct FrameRecord {
-  double at = 0.0;
-  std::vector<std::string> switched;  ///< names of materials
-  double relight_seconds = 0.0, shade_seconds = 0.0;
-  Termination termination = Termination::done;
-  std::map<std::string, ErrorTable> errors;  ///< by component
-  double reference_seconds = 0.0;
-  double reference_rmse = 0.0;  ///< of the reference's own indirect light, W/m²
-};
-
-void require_relighting(const MethodChoice& choice) {
-  if (choice.entry->make(choice.parameters)->capabilities().relights) return;
-  std::string known;
-  for (const MethodEntry& entry : all_methods())
-    if (entry.make(Parameters(entry.schema, {}))->capabilities().relights) known += (known.empty() ? "" : ", ") + entry.name;
-  throw InputError("--method", fmt::format("{} does not relight: new lights cost it as much as a new scene", choice.entry->name),
-                   known.empty() ? "no method does" : "known to relight: " + known);
-}
 
 Lighting lighting_of(const PathFrame& frame) {
   Lighting lighting{frame.lights, {}};
@@ -75,14 +55,15 @@ class Relighter {
     measuring_.bounces = options.bounces;
     question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
     points_ = measuring_points(*world_, question_, common.threads);
+    if (options.compared_samples > 0) question_.surface_samples = options.compared_samples;
   }
 
   void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, PlanOptions{}, options_.bounces, task_, log); }
   double prepare_seconds() const { return lit_.stages.front().report.seconds; }
   const Scene& scene() const { return world_->scene(); }
 
-  FrameRecord relight(const PathFrame& frame) {
-    FrameRecord record;
+  RelitFrame relight(const PathFrame& frame) {
+    RelitFrame record;
     record.at = frame.at;
     const Lighting lighting = lighting_of(frame);
     if (frame.switched.empty()) keep(record, lit_.method->light(lighting, task_));
@@ -90,12 +71,19 @@ class Relighter {
     const Answers answers = shade_surface(*lit_.method, points_, task_);
     require_success(answers.report, choice_.entry->name, "shade");
     record.shade_seconds = answers.report.seconds;
-    if (options_.reference_samples > 0) compare(frame, answers, record);
+    if (options_.reference_samples == 0) return record;
+    if (question_.surface_samples == points_.surface.size()) {
+      compare(frame, answers, record);
+      return record;
+    }
+    const Answers compared = shade_surface(*lit_.method, measuring_points(*world_, question_, common_.threads), task_);
+    require_success(compared.report, choice_.entry->name, "shade");
+    compare(frame, compared, record);
     return record;
   }
 
  private:
-  void keep(FrameRecord& record, const StageReport& report) {
+  void keep(RelitFrame& record, const StageReport& report) {
     require_success(report, choice_.entry->name, fmt::format("relighting at {:.3g}", record.at));
     record.relight_seconds += report.seconds;
     record.termination = report.termination;
@@ -109,7 +97,7 @@ class Relighter {
     return scene;
   }
 
-  void switch_materials(const PathFrame& frame, const Lighting& lighting, FrameRecord& record) {
+  void switch_materials(const PathFrame& frame, const Lighting& lighting, RelitFrame& record) {
     auto after = std::make_unique<World>(scene_at(frame), common_.threads);
     for (const MaterialEdit& edit : frame.switched) {
       keep(record, lit_.method->edit(edit, *after, lighting, task_));
@@ -118,7 +106,7 @@ class Relighter {
     world_ = std::move(after);
   }
 
-  void compare(const PathFrame& frame, const Answers& answers, FrameRecord& record) const {
+  void compare(const PathFrame& frame, const Answers& answers, RelitFrame& record) const {
     LoadedScene lit{std::make_unique<World>(scene_at(frame), common_.threads)};
     Reference reference{question_, 0, 0.0, {}, {}};
     CommonOptions quietly = common_;
@@ -129,8 +117,10 @@ class Relighter {
     record.errors["indirect"] = value_errors(answers.indirect, reference.surface.indirect);
     const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);
     record.errors["total"] = value_errors(answers.total(), total);
-    record.reference_seconds = reference.seconds;
-    record.reference_rmse = root_mean_variance(reference.surface.indirect);
+    const double paths = static_cast<double>(options_.reference_samples) * reference_replicas;
+    const PathTraced compared{reference.seconds, root_mean_variance(reference.surface.indirect), paths};
+    record.reference = at_as_many_points(compared, question_.surface_samples, points_.surface.size());
+    record.path_tracing = path_tracing_seconds(*record.reference, record.errors["indirect"]["rmse"]);
   }
 
   const RelightOptions& options_;
@@ -144,77 +134,6 @@ class Relighter {
   LitMethod lit_;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
-template <class Of>
-double median_of(const std::vector<FrameRecord>& frames, const Of& of) {
-  std::vector<double> values;
-  for (const FrameRecord& frame : frames) values.push_back(of(frame));
-  return median(std::move(values));
-}
-
-/// The error of the indirect light, W/m²; nothing where it is not known or below the reference's noise.
-std::optional<double> indirect_error(const FrameRecord& frame) {
-  const auto component = frame.errors.find("indirect");
-  if (component == frame.errors.end()) return std::nullopt;
-  const auto error = component->second.find("rmse");
-  if (error == component->second.end() || !std::isfinite(error->second.value) || error->second.below_noise_floor)
-    return std::nullopt;
-  return error->second.value;
-}
-
-/// What path tracing the same points to the same indirect error takes: its error falls with the root of its time.
-std::optional<double> path_tracing_seconds(const FrameRecord& frame) {
-  const auto error = indirect_error(frame);
-  if (!error || !(*error > 0.0) || !(frame.reference_rmse > 0.0)) return std::nullopt;
-  return frame.reference_seconds * std::pow(frame.reference_rmse / *error, 2.0);
-}
-
-Json frame_json(const FrameRecord& frame) {
-  Json json{{"at", frame.at},
-            {"switched", frame.switched},
-            {"seconds", {{"relight", frame.relight_seconds}, {"shade", frame.shade_seconds}}},
-            {"termination", to_string(frame.termination)}};
-  for (const auto& [component, table] : frame.errors)
-    for (const auto& [metric, error] : table) {
-      if (!std::isfinite(error.value)) continue;
-      Json& value = json["errors"][component][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
-      if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
-    }
-  if (frame.reference_seconds > 0.0) json["reference"] = {{"seconds", frame.reference_seconds}, {"rmse", frame.reference_rmse}};
-  if (const auto seconds = path_tracing_seconds(frame)) json["path_tracing_seconds_at_equal_error"] = *seconds;
-  return json;
-}
-
-Json summary_json(double prepare_seconds, const std::vector<FrameRecord>& frames) {
-  const double relight = median_of(frames, [](const FrameRecord& f) { return f.relight_seconds; });
-  const double shade = median_of(frames, [](const FrameRecord& f) { return f.shade_seconds; });
-  Json json{{"prepare_seconds", prepare_seconds}, {"median_seconds", {{"relight", relight}, {"shade", shade}}}};
-  std::vector<double> traced;
-  for (const FrameRecord& frame : frames)
-    if (const auto seconds = path_tracing_seconds(frame)) traced.push_back(*seconds);
-  if (traced.empty()) return json;
-  const double path_tracing = median(std::move(traced)), frame = relight + shade;
-  json["path_tracing_seconds_at_equal_error"] = path_tracing;
-  json["path_tracing_over_frame"] = path_tracing / frame;
-  if (path_tracing > frame) json["frames_that_pay_for_prepare"] = std::ceil(prepare_seconds / (path_tracing - frame));
-  return json;
-}
-
-void print_summary(const Json& summary, std::size_t frames) {
-  fmt::print("{} frames after {:.3f} s of preparing\n", frames, summary["prepare_seconds"].get<double>());
-  fmt::print("  median frame   {:.4f} s relighting, {:.4f} s shading\n", summary["median_seconds"]["relight"].get<double>(),
-             summary["median_seconds"]["shade"].get<double>());
-  if (!summary.contains("path_tracing_seconds_at_equal_error")) return;
-  fmt::print("  path tracing   {:.3f} s at equal indirect error, {:.1f} frames\n",
-             summary["path_tracing_seconds_at_equal_error"].get<double>(), summary["path_tracing_over_frame"].get<double>());
-  if (summary.contains("frames_that_pay_for_prepare"))
-    fmt::print("  preparing      is paid for after {:.0f} frames\n", summary["frames_that_pay_for_prepare"].get<double>());
-}
-
 ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);
   require_relighting(choice);
@@ -226,16 +145,16 @@ ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   Json json{{"scene", relighter.scene().name}, {"method", choice.entry->name}, {"seed", common.seed}};
   for (const auto& [name, value] : choice.parameters.values())
     std::visit([&, key = name](const auto& v) { json["parameters"][key] = v; }, value);
-  std::vector<FrameRecord> frames;
+  std::vector<RelitFrame> frames;
   for (const PathFrame& frame : path) {
     frames.push_back(relighter.relight(frame));
     stop_if_cancelled();
-    json["frames"].push_back(frame_json(frames.back()));
+    json["frames"].push_back(relit_frame_json(frames.back()));
   }
-  json["summary"] = summary_json(relighter.prepare_seconds(), frames);
+  json["summary"] = relight_summary_json(relighter.prepare_seconds(), frames);
   if (!options.out.empty()) write_file_atomically(options.out, json.dump(2) + "\n");
   if (common.json) print_json(json);
-  else if (!common.quiet) print_summary(json["summary"], frames.size());
+  else if (!common.quiet) print_relight_summary(json["summary"]);
   return ExitStatus::done;
 }
 
@@ -250,8 +169,13 @@ void add_relight(CLI::App& app, Call& call) {
   verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
   verb->add_option("--lights", options->path, "JSON file of the path; see scenes/README.md")->required();
   verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
-  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which irradiance is asked and compared")
+  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which a frame's irradiance is asked")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  verb->add_option(
+          "--compared-samples", options->compared_samples,
+          "Surface samples at which frames are compared, path tracing's time being taken in proportion; 0: as many as asked")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100'000'000}))
       ->capture_default_str();
   verb->add_option("--reference-samples", options->reference_samples,
                    "Paths a value in each of eight path-traced replicates that every frame is compared with; 0: no errors")

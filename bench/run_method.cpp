@@ -54,6 +54,15 @@ MethodChoice choose_method(const std::string& name, const std::vector<std::strin
   return {&entry, Parameters(entry.schema, pairs)};
 }
 
+void require_relighting(const MethodChoice& choice, const std::string& place) {
+  if (choice.entry->make(choice.parameters)->capabilities().relights) return;
+  std::string known;
+  for (const MethodEntry& entry : all_methods())
+    if (entry.make(Parameters(entry.schema, {}))->capabilities().relights) known += (known.empty() ? "" : ", ") + entry.name;
+  throw InputError(place, fmt::format("{} does not relight: new lights cost it as much as a new scene", choice.entry->name),
+                   known.empty() ? "no method does" : "known to relight: " + known);
+}
+
 Task make_task(const CommonOptions& common, const std::string& title) {
   TaskSettings settings;
   settings.seed = common.seed;

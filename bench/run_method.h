@@ -26,6 +26,10 @@ struct MethodChoice {
 /// `settings` are "name=value" texts as of --set. Throws InputError for what is unknown, out of range or no setting.
 MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings);
 
+/// Throws InputError, the methods that do listed, for a method whose capabilities do not say that it relights.
+/// `place` is where the method is named.
+void require_relighting(const MethodChoice& choice, const std::string& place = "--method");
+
 /// The prefix of the message of a WorkError by which a refusal is told from a failure.
 inline constexpr const char* refusal_prefix = "refused: ";
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "bench/run_method.h"
 #include "bench/scene_search.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
@@ -62,7 +63,25 @@ PlanOptions plan_options_of(const json& entry, const JsonPlace& place, double to
   return plan;
 }
 
-void add_variants(const json& entry, const JsonPlace& place, double tolerance, std::vector<StudyVariant>& variants) {
+std::size_t scene_named(const std::string& name, const JsonPlace& place, const std::vector<StudyScene>& scenes) {
+  std::string known;
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    if (scenes[s].name == name) return s;
+    known += (known.empty() ? "" : ", ") + scenes[s].name;
+  }
+  throw InputError(place.text(), fmt::format("the study has no scene '{}'", name), "its scenes: " + known);
+}
+
+std::set<std::size_t> scenes_of(const json& entry, const JsonPlace& place, const std::vector<StudyScene>& scenes) {
+  std::set<std::size_t> chosen;
+  const json names = entry.value("scenes", json::array());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    chosen.insert(scene_named(names[i].get<std::string>(), place["scenes"][i], scenes));
+  return chosen;
+}
+
+void add_variants(const json& entry, const JsonPlace& place, double tolerance, Study& study) {
+  std::vector<StudyVariant>& variants = study.variants;
   const MethodEntry& method = method_at(entry["method"], place["method"]);
   const json parameters = entry.value("parameters", json::object()), sweep = entry.value("sweep", json::object());
   std::vector<Setting> fixed;
@@ -76,7 +95,8 @@ void add_variants(const json& entry, const JsonPlace& place, double tolerance, s
     for (const json& value : values) Parameters(method.schema, {{name, setting_text(value)}}, place["sweep"].text());
   }
   for (const std::vector<Setting>& swept : combinations(sweep)) {
-    StudyVariant variant{method.name, entry.value("label", method.name), {}, {}, plan_options_of(entry, place, tolerance)};
+    StudyVariant variant{method.name, entry.value("label", method.name),        {},
+                         {},          plan_options_of(entry, place, tolerance), scenes_of(entry, place, study.scenes)};
     std::vector<Setting> settings = fixed;
     settings.insert(settings.end(), swept.begin(), swept.end());
     for (const auto& [name, text] : swept) variant.label.append(" ").append(name).append("=").append(text);
@@ -99,6 +119,47 @@ StudyScene scene_at(const json& value, const JsonPlace& place, const fs::path& f
   return {scene_name(found), find_file(found, ".", place.text())};
 }
 
+/// Beside the scene, beside the study file or in the working folder.
+fs::path light_path_at(const json& value, const JsonPlace& place, const StudyScene& scene, const fs::path& folder) {
+  const fs::path name = value.get<std::string>();
+  for (const fs::path& base : {scene.file.parent_path(), folder})
+    if (!name.is_absolute() && fs::exists(base / name)) return base / name;
+  return find_file(name.string(), ".", place.text());
+}
+
+StudyRelight relight_at(const json& entry, const JsonPlace& place, const fs::path& folder, const Study& study) {
+  const MethodEntry& method = method_at(entry["method"], place["method"]);
+  StudyRelight relight;
+  relight.scene = scene_named(entry["scene"].get<std::string>(), place["scene"], study.scenes);
+  relight.lights = light_path_at(entry["lights"], place["lights"], study.scenes[relight.scene], folder);
+  relight.method = method.name;
+  relight.label = entry.value("label", method.name);
+  std::vector<Setting> settings;
+  const json given = entry.value("parameters", json::object());
+  for (const auto& [name, value] : given.items()) {
+    settings.emplace_back(name, setting_text(value));
+    relight.settings.push_back(name + "=" + settings.back().second);
+  }
+  const Parameters parameters(method.schema, settings, place["parameters"].text());
+  relight.parameters = parameters.values();
+  require_relighting({&method, parameters}, place["method"].text());
+  if (entry.contains("frames")) relight.frames = entry["frames"].get<int>();
+  relight.surface_samples = entry.value("surface_samples", study.measuring.surface_samples);
+  relight.compared_samples = entry.value("compared_samples", relight.compared_samples);
+  relight.reference_samples = entry.value("reference_samples", relight.reference_samples);
+  return relight;
+}
+
+void read_relights(const json& list, const JsonPlace& place, const fs::path& folder, Study& study) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    StudyRelight relight = relight_at(list[i], place[i], folder, study);
+    for (const StudyRelight& other : study.relights)
+      if (other.scene == relight.scene && other.label == relight.label)
+        throw InputError(place[i].text(), fmt::format("'{}' stands twice", relight.label), "give one of them another \"label\"");
+    study.relights.push_back(std::move(relight));
+  }
+}
+
 void read_reference(const json& entry, Study& study) {
   StudyReference reference;
   if (entry.contains("samples")) reference.samples = entry["samples"].get<std::uint64_t>();
@@ -115,6 +176,7 @@ void read_measuring(const json& value, const JsonPlace& place, MeasuringOptions&
   strata_per_side(measuring.pixel_samples, place["pixel_samples"].text().c_str());
   measuring.image_width = value.value("image_width", measuring.image_width);
   measuring.camera = value.value("camera", measuring.camera);
+  measuring.pictures = value.value("pictures", measuring.pictures);
   if (value.contains("bounces")) measuring.bounces = value["bounces"].get<int>();
 }
 
@@ -135,9 +197,10 @@ Study read_study(const fs::path& file) {
   }
   const json& methods = (*value)["methods"];
   for (std::size_t i = 0; i < methods.size(); ++i)
-    add_variants(methods[i], top["methods"][i], value->value("tolerance", 0.0), study.variants);
+    add_variants(methods[i], top["methods"][i], value->value("tolerance", 0.0), study);
   if (value->contains("reference")) read_reference((*value)["reference"], study);
   read_measuring(*value, top, study.measuring);
+  read_relights(value->value("relights", json::array()), top["relights"], file.parent_path(), study);
   if (value->contains("time_limit_seconds")) study.time_limit_seconds = (*value)["time_limit_seconds"].get<double>();
   if (value->contains("memory_limit_mb"))
     study.memory_limit_bytes = static_cast<std::uint64_t>((*value)["memory_limit_mb"].get<double>() * 1024.0 * 1024.0);

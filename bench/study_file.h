@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,22 @@ struct StudyVariant {
   std::vector<std::string> settings;                              ///< "name=value", those that differ from nothing: as given
   std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
   PlanOptions plan;                                               ///< what it may simulate
+  std::set<std::size_t> scenes;                                   ///< places of the scenes on which it runs; empty: all
+
+  bool runs_on(std::size_t scene) const { return scenes.empty() || scenes.contains(scene); }
+};
+
+/// A method prepared once and lit along a path.
+struct StudyRelight {
+  std::size_t scene = 0;  ///< place in the study
+  std::filesystem::path lights;
+  std::string method, label;                                      ///< the label is unique among those of the scene
+  std::vector<std::string> settings;                              ///< "name=value"
+  std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
+  std::optional<int> frames;
+  std::size_t surface_samples = 0;
+  std::size_t compared_samples = 0;      ///< 0: as many as are asked
+  std::uint64_t reference_samples = 64;  ///< paths a value and replicate
 };
 
 struct StudyReference {
@@ -43,6 +60,7 @@ struct Study {
   std::shared_ptr<const nlohmann::json> json;  ///< as read
   std::vector<StudyScene> scenes;
   std::vector<StudyVariant> variants;
+  std::vector<StudyRelight> relights;
   std::optional<StudyReference> reference;
   MeasuringOptions measuring;
   std::optional<double> time_limit_seconds;

@@ -25,6 +25,11 @@ std::string StudyRunner::key_of(const PlannedRun& run) const {
   return run_key(study_, run, common_, scene.check.at("key").get<std::string>(), reference_state);
 }
 
+std::string StudyRunner::key_of(const PlannedRelight& planned) const {
+  const StudyRelight& relight = study_.relights[planned.relight];
+  return relight_key(relight, common_, scenes_[relight.scene].check.at("key").get<std::string>(), read_file(relight.lights));
+}
+
 Json StudyRunner::scene_entry(std::size_t scene) const {
   const SceneState& state = scenes_[scene];
   const std::string& name = study_.scenes[scene].name;
@@ -66,28 +71,45 @@ Json StudyRunner::run_entry(const PlannedRun& run) const {
              {"scene", study_.scenes[run.scene].name},
              {"method", variant.method},
              {"parameters", parameters}};
-  if (scenes_[run.scene].skipped) {
+  add_outcome(entry, run.id, scenes_[run.scene].skipped ? std::string() : key_of(run), run.scene);
+  return entry;
+}
+
+Json StudyRunner::relight_entry(const PlannedRelight& planned) const {
+  const StudyRelight& relight = study_.relights[planned.relight];
+  Json parameters = Json::object();
+  for (const auto& [name, value] : relight.parameters) parameters[name] = to_json(value);
+  Json entry{{"id", planned.id},         {"label", relight.label},   {"scene", study_.scenes[relight.scene].name},
+             {"method", relight.method}, {"parameters", parameters}, {"lights", relight.lights.filename().string()}};
+  add_outcome(entry, planned.id, scenes_[relight.scene].skipped ? std::string() : key_of(planned), relight.scene);
+  return entry;
+}
+
+/// How the run ended, and where its records lie.
+void StudyRunner::add_outcome(Json& entry, const std::string& id, const std::string& key, std::size_t scene) const {
+  if (scenes_[scene].skipped) {
     entry["status"] = "skipped";
-    entry["message"] = *scenes_[run.scene].skipped;
-  } else if (const auto recorded = read_json_if_there(folders_.run(run.id) / run_file);
-             recorded && recorded->value("key", "") == key_of(run)) {
-    for (const char* key : {"status", "exit_code", "message", "wall_seconds", "peak_bytes", "process_peak_bytes"})
-      if (recorded->contains(key)) entry[key] = recorded->at(key);
+    entry["message"] = *scenes_[scene].skipped;
+  } else if (const auto recorded = read_json_if_there(folders_.run(id) / run_file);
+             recorded && recorded->value("key", "") == key) {
+    for (const char* name : {"status", "exit_code", "message", "wall_seconds", "peak_bytes", "process_peak_bytes"})
+      if (recorded->contains(name)) entry[name] = recorded->at(name);
   } else {
     entry["status"] = "skipped";
     entry["message"] = "not run yet";
   }
-  entry["folder"] = "runs/" + run.id;
-  return entry;
+  entry["folder"] = "runs/" + id;
 }
 
 Json StudyRunner::manifest() const {
-  Json scenes = Json::array(), runs = Json::array();
+  Json scenes = Json::array(), runs = Json::array(), relights = Json::array();
   for (std::size_t s = 0; s < scenes_.size(); ++s) scenes.push_back(scene_entry(s));
   for (const PlannedRun& run : runs_) runs.push_back(run_entry(run));
+  for (const PlannedRelight& relight : relights_) relights.push_back(relight_entry(relight));
   return {{"gibench_study", 1},        {"name", study_.name},         {"version", version()}, {"commit", commit()},
           {"machine", machine_json()}, {"created", created_},         {"seed", common_.seed}, {"threads", common_.threads},
-          {"jobs", settings_.jobs},    {"study", Json(*study_.json)}, {"scenes", scenes},     {"runs", runs}};
+          {"jobs", settings_.jobs},    {"study", Json(*study_.json)}, {"scenes", scenes},     {"runs", runs},
+          {"relights", relights}};
 }
 
 void StudyRunner::write_manifest() const {

@@ -16,13 +16,23 @@ struct PlannedRun {
   std::size_t scene = 0, variant = 0;  ///< places in the study
 };
 
-/// Every variant on every scene, scene by scene.
+struct PlannedRelight {
+  std::string id;           ///< name of its folder, unique in the study
+  std::size_t relight = 0;  ///< place in the study
+};
+
+/// Every variant on each of its scenes, scene by scene.
 std::vector<PlannedRun> plan_runs(const Study& study);
+std::vector<PlannedRelight> plan_relights(const Study& study);
 
 /// What a finished run is known by: another key means that its result is not that of this study any more. Hash of the
 /// program's version and commit, scene, method, parameters, seed, threads, where it is measured, and the reference.
 std::string run_key(const Study& study, const PlannedRun& run, const CommonOptions& common, const std::string& scene_key,
                     const std::string& reference_state);
+
+/// The same of a relighting; `lights` is the text of its light path.
+std::string relight_key(const StudyRelight& relight, const CommonOptions& common, const std::string& scene_key,
+                        const std::string& lights);
 
 /// The folders of a study's results.
 struct StudyFolders {

@@ -31,6 +31,7 @@ ChildLimits StudyRunner::reference_limits() const {
 std::set<std::string> StudyRunner::restricted_paths(std::size_t scene) const {
   std::set<std::string> paths;
   for (const StudyVariant& variant : study_.variants) {
+    if (!variant.runs_on(scene)) continue;
     std::vector<std::string> arguments{"check", study_.scenes[scene].file.string(), "--json", "--method", variant.method};
     for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
     const std::vector<std::string> plan = plan_arguments(variant.plan);

@@ -99,6 +99,7 @@ StudyRunner::StudyRunner(const Study& study, StudySettings settings, const Commo
       common_(common),
       folders_{settings_.out},
       runs_(plan_runs(study)),
+      relights_(plan_relights(study)),
       scenes_(study.scenes.size()),
       bar_(std::make_unique<ProgressBar>("study " + study.name, common.quiet)),
       created_(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))) {}
@@ -151,8 +152,7 @@ void StudyRunner::make_references() {
   if (!study_.reference) return;
   std::vector<bool> needed(scenes_.size(), false);
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (i % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index))
-      needed[runs_[i].scene] = true;
+    if (is_own(i)) needed[runs_[i].scene] = true;
   for_each_job(settings_.jobs, scenes_.size(), [&](std::size_t scene) {
     if (!needed[scene] || scenes_[scene].skipped) return;
     make_reference(scene);
@@ -180,56 +180,93 @@ void StudyRunner::make_reference(std::size_t scene) {
   tell(fmt::format("{}: reference ready, {:.1f} s", name, result.seconds));
 }
 
+bool StudyRunner::is_own(std::size_t place) const {
+  return place % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index);
+}
+
 void StudyRunner::run_all() {
-  std::vector<const PlannedRun*> own;
+  std::vector<std::function<void()>> own;
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (i % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index) &&
-        !scenes_[runs_[i].scene].skipped)
-      own.push_back(&runs_[i]);
+    if (is_own(i) && !scenes_[runs_[i].scene].skipped) own.emplace_back([this, i] { run_one(runs_[i]); });
+  for (std::size_t i = 0; i < relights_.size(); ++i)
+    if (is_own(runs_.size() + i) && !scenes_[study_.relights[relights_[i].relight].scene].skipped)
+      own.emplace_back([this, i] { relight_one(relights_[i]); });
   due_ = own.size();
-  for_each_job(settings_.jobs, own.size(), [&](std::size_t i) { run_one(*own[i]); });
+  for_each_job(settings_.jobs, own.size(), [&](std::size_t i) { own[i](); });
   bar_->wipe();
 }
 
-void StudyRunner::run_one(const PlannedRun& run) {
-  const StudyVariant& variant = study_.variants[run.variant];
-  const std::string key = key_of(run);
-  if (!settings_.force && is_kept(run, key)) {
+void StudyRunner::run_for(const std::string& id, const std::string& key,
+                          const std::function<std::vector<std::string>(const fs::path& made)>& arguments) {
+  if (!settings_.force && is_kept(id, key)) {
     ++finished_;
     return;
   }
-  fs::path made = folders_.run(run.id);
+  fs::path made = folders_.run(id);
   made += ".new";
-  std::vector<std::string> arguments{"run",
-                                     study_.scenes[run.scene].file.string(),
-                                     "--method",
-                                     variant.method,
-                                     "--out",
-                                     made.string(),
-                                     "--force",
-                                     "--seed",
-                                     std::to_string(common_.seed),
-                                     "--reference-seed",
-                                     std::to_string(study_.measuring.reference_seed),
-                                     "--references",
-                                     (folders_.root / "references" / "store").string()};
-  for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
-  const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
-  arguments.insert(arguments.end(), measuring.begin(), measuring.end());
-  const std::vector<std::string> plan = plan_arguments(variant.plan);
-  arguments.insert(arguments.end(), plan.begin(), plan.end());
-  if (!study_.reference) arguments.insert(arguments.end(), {"--reference", "none"});
   std::error_code ignored;
   fs::remove_all(made, ignored);
-  const ChildResult result = child(arguments, {study_.time_limit_seconds, study_.memory_limit_bytes}, run.id);
+  const ChildResult result = child(arguments(made), {study_.time_limit_seconds, study_.memory_limit_bytes}, id);
   if (result.end == ChildEnd::cancelled || cancellation()->load()) {
     fs::remove_all(made, ignored);
     return;
   }
-  record(run, result, key, made);
+  record(id, result, key, made);
 }
 
-void StudyRunner::record(const PlannedRun& run, const ChildResult& child_result, const std::string& key, const fs::path& made) {
+void StudyRunner::run_one(const PlannedRun& run) {
+  const StudyVariant& variant = study_.variants[run.variant];
+  run_for(run.id, key_of(run), [&](const fs::path& made) {
+    std::vector<std::string> arguments{"run",
+                                       study_.scenes[run.scene].file.string(),
+                                       "--method",
+                                       variant.method,
+                                       "--out",
+                                       made.string(),
+                                       "--force",
+                                       "--seed",
+                                       std::to_string(common_.seed),
+                                       "--reference-seed",
+                                       std::to_string(study_.measuring.reference_seed),
+                                       "--references",
+                                       (folders_.root / "references" / "store").string()};
+    for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
+    const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
+    arguments.insert(arguments.end(), measuring.begin(), measuring.end());
+    const std::vector<std::string> plan = plan_arguments(variant.plan);
+    arguments.insert(arguments.end(), plan.begin(), plan.end());
+    if (!study_.reference) arguments.insert(arguments.end(), {"--reference", "none"});
+    return arguments;
+  });
+}
+
+void StudyRunner::relight_one(const PlannedRelight& planned) {
+  const StudyRelight& relight = study_.relights[planned.relight];
+  run_for(planned.id, key_of(planned), [&](const fs::path& made) {
+    make_folder(made);
+    std::vector<std::string> arguments{"relight",
+                                       study_.scenes[relight.scene].file.string(),
+                                       "--method",
+                                       relight.method,
+                                       "--lights",
+                                       relight.lights.string(),
+                                       "--out",
+                                       (made / relight_file).string(),
+                                       "--seed",
+                                       std::to_string(common_.seed),
+                                       "--surface-samples",
+                                       std::to_string(relight.surface_samples),
+                                       "--compared-samples",
+                                       std::to_string(relight.compared_samples),
+                                       "--reference-samples",
+                                       std::to_string(relight.reference_samples)};
+    for (const std::string& setting : relight.settings) arguments.insert(arguments.end(), {"--set", setting});
+    if (relight.frames) arguments.insert(arguments.end(), {"--frames", std::to_string(*relight.frames)});
+    return arguments;
+  });
+}
+
+void StudyRunner::record(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
   const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
   const std::string status = status_of(child_result);
   Json entry{{"key", key}, {"status", status}};
@@ -249,10 +286,10 @@ void StudyRunner::record(const PlannedRun& run, const ChildResult& child_result,
   partial += ".partial";
   std::error_code ignored;
   fs::remove_all(partial, ignored);  // left by a child that was killed
-  replace_folder(made, folders_.run(run.id));
+  replace_folder(made, folders_.run(id));
   const std::size_t finished = ++finished_;
-  tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, run.id, status, child_result.seconds,
-                   reason.empty() ? "" : ": ", reason));
+  tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, id, status, child_result.seconds, reason.empty() ? "" : ": ",
+                   reason));
   {
     const std::lock_guard lock(terminal_);
     bar_->update("", static_cast<double>(finished) / static_cast<double>(due_));
@@ -260,8 +297,8 @@ void StudyRunner::record(const PlannedRun& run, const ChildResult& child_result,
   write_manifest();
 }
 
-bool StudyRunner::is_kept(const PlannedRun& run, const std::string& key) const {
-  const std::optional<Json> entry = read_json_if_there(folders_.run(run.id) / run_file);
+bool StudyRunner::is_kept(const std::string& id, const std::string& key) const {
+  const std::optional<Json> entry = read_json_if_there(folders_.run(id) / run_file);
   if (!entry || entry->value("key", "") != key) return false;
   const std::string status = entry->value("status", "");
   return status == "done" || status == "refused" || status == "timed_out";

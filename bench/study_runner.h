@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -30,6 +31,8 @@ struct StudySettings {
 
 /// A record of a run beside its result: how its process ended.
 inline constexpr const char* run_file = "run.json";
+/// What `gibench relight --out` wrote, beside it.
+inline constexpr const char* relight_file = "relight.json";
 
 /// The JSON in a file; empty where there is no such file or it is damaged.
 std::optional<nlohmann::ordered_json> read_json_if_there(const std::filesystem::path& file);
@@ -64,11 +67,19 @@ class StudyRunner {
   ChildLimits reference_limits() const;
   void run_all();
   void run_one(const PlannedRun& run);
-  void record(const PlannedRun& run, const ChildResult& child, const std::string& key, const std::filesystem::path& made);
-  bool is_kept(const PlannedRun& run, const std::string& key) const;
+  void relight_one(const PlannedRelight& relight);
+  /// Runs the child for the folder runs/ID unless it holds what this key made.
+  void run_for(const std::string& id, const std::string& key,
+               const std::function<std::vector<std::string>(const std::filesystem::path& made)>& arguments);
+  void record(const std::string& id, const ChildResult& child, const std::string& key, const std::filesystem::path& made);
+  bool is_kept(const std::string& id, const std::string& key) const;
+  bool is_own(std::size_t place) const;  ///< of this shard
   std::string key_of(const PlannedRun& run) const;
+  std::string key_of(const PlannedRelight& relight) const;
   nlohmann::ordered_json scene_entry(std::size_t scene) const;
   nlohmann::ordered_json run_entry(const PlannedRun& run) const;
+  nlohmann::ordered_json relight_entry(const PlannedRelight& relight) const;
+  void add_outcome(nlohmann::ordered_json& entry, const std::string& id, const std::string& key, std::size_t scene) const;
   ChildResult child(std::vector<std::string> arguments, const ChildLimits& limits, const std::string& name) const;
   void write_manifest() const;
   void tell(const std::string& line);
@@ -78,6 +89,7 @@ class StudyRunner {
   CommonOptions common_;
   StudyFolders folders_;
   std::vector<PlannedRun> runs_;
+  std::vector<PlannedRelight> relights_;  ///< after the runs in the order of the shards
   std::vector<SceneState> scenes_;
   std::unique_ptr<ProgressBar> bar_;
   std::string created_;

@@ -30,6 +30,7 @@ function plottedKeys() {
 
 function specifications() {
   const keys = plottedKeys(), width = 620, list = [];
+  if (study.relights.list.some((relight) => relight.path_tracing)) list.push(["relighting", plotting.payOffPlot(study, templates, width)]);
   if (keys.length === 0) return list;
   if (study.rankings[0].points.length) list.push(["ranking", plotting.rankingPlot(study, templates, 0, width)]);
   if (study.splits[0].points.length) list.push(["error-split", plotting.splitPlot(study, templates, 0, width)]);

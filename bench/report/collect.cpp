@@ -108,6 +108,28 @@ StudyRun run_of(const Json& entry, Study& study) {
   return run;
 }
 
+StudyRelight relight_of(const Json& entry, Study& study) {
+  StudyRelight relight;
+  relight.id = text_at(entry, "id").value_or("");
+  relight.scene = text_at(entry, "scene").value_or("");
+  relight.method = text_at(entry, "method").value_or("");
+  relight.label = text_at(entry, "label").value_or(relight.method);
+  relight.lights = text_at(entry, "lights").value_or("");
+  relight.parameters = facts_of(object_at(entry, "parameters"));
+  relight.message = text_at(entry, "message").value_or("");
+  relight.status = status_of(text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
+  if (relight.status != RunStatus::done) return relight;
+  const fs::path folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + relight.id));
+  try {
+    read_relight(folder / "relight.json", relight);
+  } catch (const InputError& error) {
+    relight.status = RunStatus::failed;
+    relight.message = "its record cannot be used: " + without_folder(study, error.what());
+    study.warnings.push_back("relighting " + relight.id + ": " + without_folder(study, error.what()));
+  }
+  return relight;
+}
+
 /// A list of objects; empty where it is absent. Throws InputError where it is something else.
 Json entries(const Json& manifest, const std::string& name, const fs::path& file) {
   const Json list = manifest.value(name, Json::array());
@@ -148,11 +170,12 @@ Study collect_study(const fs::path& folder) {
   study.commit = text_at(manifest, "commit").value_or("");
   study.created = text_at(manifest, "created").value_or("");
   study.machine = facts_of(object_at(manifest, "machine"));
-  study.settings =
-      facts_of(manifest, {"gibench_study", "name", "version", "commit", "created", "machine", "scenes", "runs", "study"});
+  study.settings = facts_of(
+      manifest, {"gibench_study", "name", "version", "commit", "created", "machine", "scenes", "runs", "relights", "study"});
   for (const Json& scene : entries(manifest, "scenes", file)) study.scenes.push_back(scene_of(scene, study));
   for (const Json& run : entries(manifest, "runs", file)) study.runs.push_back(run_of(run, study));
   list_missing_scenes(study);
+  for (const Json& relight : entries(manifest, "relights", file)) study.relights.push_back(relight_of(relight, study));
   return study;
 }
 

@@ -13,5 +13,7 @@ Study collect_study(const std::filesystem::path& folder);
 
 /// Adds to `run` what its result.json says. Throws InputError, the run unchanged, for a record that cannot be read.
 void read_result(const std::filesystem::path& file, StudyRun& run);
+/// Adds to `relight` what its relight.json says. Throws InputError for a record that cannot be read.
+void read_relight(const std::filesystem::path& file, StudyRelight& relight);
 
 }  // namespace gibench::report

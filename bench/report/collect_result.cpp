@@ -1,22 +1,11 @@
 #include <cmath>
 
 #include "bench/report/collect.h"
+#include "bench/report/error_reading.h"
 #include "bench/report/json_reading.h"
 #include "common/core/error.h"
 
 namespace gibench::report {
-namespace {
-
-Effects effects_of(const Json& entry) {
-  Effects effects;
-  effects.called_for = texts_at(entry, "called_for");
-  effects.simulated = texts_at(entry, "simulated");
-  effects.missing = texts_at(entry, "missing");
-  if (const auto skipped = entry.find("skipped"); skipped != entry.end() && skipped->is_array())
-    for (const Json& item : *skipped)
-      effects.skipped.emplace_back(text_at(item, "effect").value_or(""), text_at(item, "why").value_or(""));
-  return effects;
-}
 
 std::optional<MeasuredError> error_of(const Json& entry) {
   const auto value = number_at(entry, "value");
@@ -30,6 +19,19 @@ std::optional<MeasuredError> error_of(const Json& entry) {
   const auto below = entry.find("below_noise_floor");
   error.below_noise_floor = below != entry.end() && below->is_boolean() && below->get<bool>();
   return error;
+}
+
+namespace {
+
+Effects effects_of(const Json& entry) {
+  Effects effects;
+  effects.called_for = texts_at(entry, "called_for");
+  effects.simulated = texts_at(entry, "simulated");
+  effects.missing = texts_at(entry, "missing");
+  if (const auto skipped = entry.find("skipped"); skipped != entry.end() && skipped->is_array())
+    for (const Json& item : *skipped)
+      effects.skipped.emplace_back(text_at(item, "effect").value_or(""), text_at(item, "why").value_or(""));
+  return effects;
 }
 
 std::map<ErrorKey, MeasuredError> errors_of(const Json& components) {

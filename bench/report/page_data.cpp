@@ -189,6 +189,27 @@ Json split_json(const Study& study, const ErrorKey& key) {
   return {{"table", table_json(split_table(study, key))}, {"bounces", table_json(bounce_table(study, key))}, {"points", points}};
 }
 
+Json bounded_json(const std::optional<BoundedNumber>& number) {
+  if (!number) return {};
+  return {{"value", or_null(number->value)}, {"low", or_null(number->low)}, {"high", or_null(number->high)}};
+}
+
+Json relights_json(const Study& study) {
+  Json list = Json::array();
+  for (const StudyRelight& relight : study.relights)
+    if (relight.frame_seconds() && relight.prepare_seconds)
+      list.push_back({{"label", relight.label},
+                      {"scene", relight.scene},
+                      {"method", relight.method},
+                      {"lights", relight.lights},
+                      {"prepare", *relight.prepare_seconds},
+                      {"frame", *relight.frame_seconds()},
+                      {"path_tracing", bounded_json(relight.path_tracing_seconds)},
+                      {"frames_that_pay", bounded_json(relight.frames_that_pay)},
+                      {"sentence", relight_sentence(relight)}});
+  return {{"list", list}, {"table", table_json(relight_table(study))}, {"frames", table_json(relit_frame_table(study))}};
+}
+
 }  // namespace
 
 std::string page_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
@@ -224,6 +245,7 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
                               {"runs", runs},
                               {"rankings", rankings},
                               {"splits", splits},
+                              {"relights", relights_json(study)},
                               {"calls", table_json(call_table(study))},
                               {"evidence", table_json(evidence_table(study))},
                               {"effect_matrix", table_json(effect_matrix(study))},

@@ -86,6 +86,37 @@ struct StudyRun {
   std::optional<double> transport_seconds(const std::string& domain) const;
 };
 
+/// A number within its 95% interval; an end that nothing bounds and a value that the reference's noise hides are absent.
+struct BoundedNumber {
+  std::optional<double> value, low, high;
+};
+
+/// A method prepared once and lit along a path.
+struct StudyRelight {
+  std::string id, label, scene, method, lights;
+  Facts parameters;
+  RunStatus status = RunStatus::failed;
+  std::string message;
+  std::optional<std::uint64_t> frames;
+  std::optional<double> prepare_seconds;
+  std::optional<double> relight_seconds, shade_seconds;  ///< medians over the frames
+  std::optional<BoundedNumber> path_tracing_seconds;     ///< to the frame's error in the indirect light
+  std::optional<BoundedNumber> times_cheaper;            ///< than path tracing
+  std::optional<BoundedNumber> frames_that_pay;          ///< for preparing
+
+  struct Frame {
+    double at = 0.0;  ///< 0 for the first, 1 for the last
+    std::vector<std::string> switched;
+    std::optional<double> relight_seconds, shade_seconds;
+    std::map<std::string, MeasuredError> relative_rmse;  ///< by component, at the surface samples
+  };
+  std::vector<Frame> all_frames;
+
+  std::optional<double> frame_seconds() const {
+    return relight_seconds && shade_seconds ? std::optional(*relight_seconds + *shade_seconds) : std::nullopt;
+  }
+};
+
 struct StudyScene {
   std::string name;
   std::optional<std::string> skipped;  ///< why the study left the scene out
@@ -104,6 +135,7 @@ struct Study {
   Facts settings;  ///< the rest of the manifest's own entries: seed, threads, …
   std::vector<StudyScene> scenes;
   std::vector<StudyRun> runs;
+  std::vector<StudyRelight> relights;
   std::vector<std::string> warnings;  ///< what could not be read, a line each
 
   /// Positions in `runs`, in the order of the manifest.

@@ -31,6 +31,12 @@ Table bounce_table(const Study& study, const ErrorKey& key);
 Table failure_table(const Study& study);
 /// Every run: status, parameters, stages, memory, counters that are common to all.
 Table run_table(const Study& study);
+/// What a relit frame is worth beside path tracing, a row a relighting.
+Table relight_table(const Study& study);
+/// The frames of all relightings, a row each.
+Table relit_frame_table(const Study& study);
+/// After how many frames preparing has paid for itself, in words; empty where it was not measured.
+std::string relight_sentence(const StudyRelight& relight);
 
 /// scene-NAME made of letters, digits and hyphens, unique in the study.
 std::string scene_slug(const Study& study, std::size_t scene);

@@ -37,6 +37,9 @@ void write_tables(const Study& study, const fs::path& folder) {
        {run_table(study), error_table(study), effect_matrix(study), effect_table(study), failure_table(study), call_table(study),
         evidence_table(study), split_table(study, key), bounce_table(study, key)})
     write_table(folder, table);
+  if (study.relights.empty()) return;
+  write_table(folder, relight_table(study));
+  write_table(folder, relit_frame_table(study));
 }
 
 std::string read_text(const fs::path& file) {

@@ -70,6 +70,9 @@
     return value < 1 ? `${+(value * 1e3).toPrecision(3)} ms` : `${+value.toPrecision(3)} s`;
   }
 
+  // Runs that a line joins: those of one sweep, whose labels end in its values; without such an ending those of a method.
+  const seriesOf = (run) => (/ [^ =]+=[^ ]*$/.test(run.label) ? `${run.method} ${run.label.replace(/=[^ ]*$/, "")}` : run.method);
+
   // The points of one scene for one error; `left_out` counts runs that a log axis cannot show.
   function errorPoints(study, scene, key) {
     const domain = study.keys[key].domain, metric = study.metrics[study.keys[key].metric];
@@ -81,7 +84,7 @@
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
       points.push({
-        index, run: run.label, method: run.method, series: run.method, x: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
+        index, run: run.label, method: run.method, series: seriesOf(run), x: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
         floor: error.floor ?? null,
         low: error.low === undefined ? null : Math.max(error.low, smallest), high: error.high ?? null,
       });
@@ -100,11 +103,11 @@
     const xDomain = logDomain(points.map((p) => p.x), x.margin);
     const domain = metric.logarithmic ? logDomain(values, 1.35) : linearDomain(values);
     return fill(templates["error-curve"], {
-      width, config: config(width), runs: points, ...styles(study, new Set(points.map((p) => p.method))),
+      width, config: config(width), runs: points, ...(x.styles ?? styles(study, new Set(points.map((p) => p.method)))), legend: x.legend ?? "Method",
       floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "below the reference's noise floor" }] : [],
       xTitle: x.title, xDomain, xTicks: x.ticks ?? logTicks(xDomain), xFormat: x.format, errorTicks: metric.logarithmic ? logTicks(domain) : null,
       errorTitle: entry.axis, errorScale: metric.logarithmic ? "log" : "linear", errorDomain: domain,
-      tooltip: [{ field: "run", title: "Run" }, { field: "method", title: "Method" }, { field: "text", title: "Error" }, { field: "time", title: "Time" }],
+      tooltip: [{ field: "run", title: "Run" }, { field: "method", title: x.legend ?? "Method" }, { field: "text", title: "Error" }, { field: "time", title: "Time" }],
       errorFormat: metric.percent ? "~%" : "~g",
     });
   }
@@ -133,10 +136,39 @@
     });
   }
 
+  // What tells the series of a sweep apart: the study's label of its runs, which ends in the swept value; else the method.
+  function seriesLabels(sweep) {
+    const labels = new Map();
+    for (const point of sweep.points) {
+      const ending = ` ${sweep.name}=${point.x}`;
+      if (point.run.endsWith(ending)) labels.set(point.series, point.run.slice(0, -ending.length));
+      else if (!labels.has(point.series)) labels.set(point.series, point.method);
+    }
+    return labels;
+  }
+
+  // A style for each series: that of its method for the first of a method, further ones from what is left.
+  function seriesStyles(study, sweep) {
+    const labels = seriesLabels(sweep), spare = { colours: ["#0072B2", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#7F7F7F"], shapes: ["square", "diamond", "triangle-down", "cross", "circle", "triangle-right"], dashes: [[6, 3], [2, 2], [8, 3, 2, 3], [1, 3], [10, 4], [4, 2]] };
+    const all = { methods: [], colours: [], shapes: [], dashes: [] }, seen = new Set();
+    for (const [series, label] of labels) {
+      const own = study.methods.find((method) => method.name === sweep.points.find((p) => p.series === series).method);
+      const next = all.methods.length, first = !seen.has(own.name);
+      seen.add(own.name);
+      all.methods.push(label);
+      all.colours.push(first ? own.colour : spare.colours.filter((c) => !all.colours.includes(c) && !study.methods.some((m) => seen.has(m.name) && m.colour === c))[0] ?? "#000000");
+      all.shapes.push(first ? own.shape : spare.shapes.filter((shape) => !all.shapes.includes(shape))[0] ?? "circle");
+      all.dashes.push(first ? [1, 0] : spare.dashes[next % spare.dashes.length]);
+    }
+    return { labels, styles: all };
+  }
+
   function sweepPlot(study, templates, key, width, sweep) {
     const values = [...new Set(sweep.points.map((p) => p.x))].sort((a, b) => a - b);
     const ticks = values.length <= 10 ? values : undefined;
-    return curves(study, templates, key, width, sweep.points, { title: sweep.name, margin: 1.25, ticks, format: "~r" });
+    const { labels, styles: own } = seriesStyles(study, sweep);
+    const points = sweep.points.map((p) => ({ ...p, method: labels.get(p.series) }));
+    return curves(study, templates, key, width, points, { title: sweep.name.replaceAll("_", " "), margin: 1.25, ticks, format: "~r", styles: own, legend: "Series" });
   }
 
   function rankingPlot(study, templates, key, width) {
@@ -181,5 +213,32 @@
     });
   }
 
-  gibench.plotting = { errorPlot, errorPoints, rankingPlot, splitPlot, stagesPlot, sweepPlot, sweeps };
+  // Seconds after n frames: preparing and n frames, beside n times path tracing to the frame's error, its band between
+  // the ends of that time's interval.
+  function payOffPlot(study, templates, width) {
+    const list = study.relights.list.filter((relight) => relight.path_tracing);
+    const paid = list.flatMap((relight) => Object.values(relight.frames_that_pay ?? {})).filter((frames) => frames > 0);
+    const last = 10 ** Math.ceil(Math.log10(10 * Math.max(10, ...paid)));
+    const counts = Array.from({ length: 61 }, (_, i) => last ** (i / 60));
+    const name = (relight) => `${relight.scene}: ${relight.label}`;
+    const lines = [], bands = [];
+    for (const relight of list) {
+      const { value, low, high } = relight.path_tracing;
+      for (const frames of counts) {
+        lines.push({ relight: name(relight), kind: "relighting", frames, seconds: relight.prepare + frames * relight.frame });
+        const traced = value ?? low;
+        if (traced) lines.push({ relight: name(relight), kind: value ? "path tracing" : "path tracing, at least", frames, seconds: frames * traced });
+        if (low && high) bands.push({ relight: name(relight), frames, low: frames * low, high: frames * high });
+      }
+    }
+    const xDomain = [1, last], yDomain = logDomain(lines.map((p) => p.seconds), 1.3);
+    const kinds = ["relighting", "path tracing", "path tracing, at least"].filter((kind) => lines.some((line) => line.kind === kind));
+    return fill(templates["pay-off"], {
+      width, config: config(width), lines, bands, xDomain, xTicks: logTicks(xDomain), yDomain, yTicks: logTicks(yDomain),
+      relights: list.map(name), colours: list.map((_, i) => ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"][i % 7]),
+      kinds, dashes: kinds.map((kind) => ({ relighting: [1, 0], "path tracing": [6, 4] })[kind] ?? [2, 3]),
+    });
+  }
+
+  gibench.plotting = { errorPlot, errorPoints, payOffPlot, rankingPlot, splitPlot, stagesPlot, sweepPlot, sweeps };
 })(globalThis.gibench ?? (globalThis.gibench = {}));

@@ -1,6 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/light_path.h"
+#include "common/scene/load.h"
 #include "tests/bench/program.h"
 
 namespace gibench::test {
@@ -53,6 +58,81 @@ TEST(Relight, EveryFrameHasItsCostAndItsErrors) {
   EXPECT_GT(json["summary"]["prepare_seconds"].get<double>(), 0.0);
 }
 
+/// What the summary says of path tracing follows from what the frames say.
+TEST(Relight, TheSummaryHoldsAFrameAgainstPathTracing) {
+  const Workshop shop;
+  const Outcome outcome =
+      relight(shop, brightening_path(), {"--reference-samples", "256", "--surface-samples", "64", "--frames", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json json = outcome.json();
+  const Json &frame = json["frames"][0], &summary = json["summary"], &rmse = frame["errors"]["indirect"]["rmse"];
+  ASSERT_FALSE(rmse["below_noise_floor"].get<bool>()) << "a mesh of 200 vertices errs more than 2048 paths do";
+  EXPECT_EQ(frame["reference"]["paths"], 2048.0);
+  // The floor is the noise of the mean of all replicates: another estimate of the same standard error.
+  EXPECT_NEAR(frame["reference"]["rmse"].get<double>() / rmse["noise_floor"].get<double>(), 1.0, 0.5);
+  const double ratio = frame["reference"]["rmse"].get<double>() / rmse["value"].get<double>();
+  const double wanted = std::max(1.0 / 2048.0, ratio * ratio) * frame["reference"]["seconds"].get<double>();
+  const double seconds = summary["path_tracing_seconds_at_equal_error"]["value"].get<double>();
+  EXPECT_NEAR(seconds / wanted, 1.0, 1e-9);
+  const double one = summary["median_seconds"]["relight"].get<double>() + summary["median_seconds"]["shade"].get<double>();
+  EXPECT_NEAR(summary["path_tracing_over_frame"]["value"].get<double>() / (seconds / one), 1.0, 1e-9);
+  const Json& frames = summary["frames_that_pay_for_prepare"];
+  if (!frames.contains("value")) return;  // path tracing is the faster here
+  const double pays = frames["value"].get<double>(), prepare = summary["prepare_seconds"].get<double>();
+  EXPECT_LE(prepare + pays * one, pays * seconds * (1.0 + 1e-12));
+  EXPECT_GT(prepare + (pays - 1.0) * one, (pays - 1.0) * seconds) << "one frame less does not pay";
+}
+
+/// Compared at fewer points than asked: the errors are those at these points.
+TEST(Relight, ComparesAtFewerPointsThanItAsks) {
+  const Workshop shop;
+  const auto frame = [&](const std::vector<std::string>& points) {
+    std::vector<std::string> more{"--reference-samples", "64", "--frames", "1"};
+    more.insert(more.end(), points.begin(), points.end());
+    const Outcome outcome = relight(shop, brightening_path(), more);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    return outcome.json()["frames"][0];
+  };
+  const Json few = frame({"--surface-samples", "64"}), many = frame({"--surface-samples", "6400", "--compared-samples", "64"});
+  EXPECT_EQ(many["errors"], few["errors"]);
+  EXPECT_EQ(many["reference"]["rmse"], few["reference"]["rmse"]);
+}
+
+TEST(Relight, BelowTheNoiseFloorOnlyABoundIsGiven) {
+  const Workshop shop;
+  shop.write("furnace.scene.json", furnace_scene());  // one radiance everywhere: the mesh is exact, the reference is not
+  shop.write("path.json", Json{{"gibench_light_path", 1}, {"frames", 1}});
+  const Outcome outcome = shop.gibench({"relight", "furnace.scene.json", "--method", "spectral", "--set", "vertices=200", "--set",
+                                        "rays=64", "--set", "residual=1e-6", "--set", "compression_error=0", "--lights",
+                                        "path.json", "--reference-samples", "4", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json json = outcome.json();
+  ASSERT_TRUE(json["frames"][0]["errors"]["indirect"]["rmse"]["below_noise_floor"].get<bool>());
+  const Json& seconds = json["summary"]["path_tracing_seconds_at_equal_error"];
+  EXPECT_FALSE(seconds.contains("value"));
+  EXPECT_GT(seconds["ci95"][0].get<double>(), 0.0);
+  EXPECT_TRUE(seconds["ci95"][1].is_null());
+}
+
+/// A scene whose wall got another BRDF on the way answers as one that had it from the start.
+TEST(Relight, BrdfsSwitchOnTheWay) {
+  const Json phong{{"bsdf", "phong"}, {"diffuse", {0.3, 0.3, 0.3}}, {"specular", 0.3}, {"exponent", 8}};
+  Json path{{"gibench_light_path", 1}, {"frames", 2}, {"switches", {{{"at", 1}, {"material", "wall"}}}}};
+  path["switches"][0].update(phong);
+  const Workshop switched, fresh;
+  const std::vector<std::string> compared{"--reference-samples", "16", "--surface-samples", "64"};
+  const Outcome on_the_way = relight(switched, path, compared);
+  ASSERT_EQ(on_the_way.status, 0) << on_the_way.error;
+  path["frames"] = 1, path["switches"][0]["at"] = 0;
+  const Outcome from_the_start = relight(fresh, path, compared);
+  ASSERT_EQ(from_the_start.status, 0) << from_the_start.error;
+  const Json before = on_the_way.json()["frames"][0], after = on_the_way.json()["frames"][1];
+  const Json wanted = from_the_start.json()["frames"][0];
+  EXPECT_EQ(after["switched"], Json::array({"wall"}));
+  EXPECT_EQ(after["errors"]["total"]["rmse"]["value"], wanted["errors"]["total"]["rmse"]["value"]);
+  EXPECT_NE(after["errors"]["total"]["rmse"]["value"], before["errors"]["total"]["rmse"]["value"]);
+}
+
 TEST(Relight, FramesAndOutAreTakenFromTheCall) {
   const Workshop shop;
   const Outcome outcome = relight(shop, brightening_path(), {"--frames", "2", "--out", "frames.json"});
@@ -90,6 +170,20 @@ TEST(Relight, BadPathsNameFilePlaceAndMend) {
   expect_bad_input(relight(shop, wrong_kind), {"path.json", "$.lights[0].keys[1]", "direction"});
   expect_bad_input(relight(shop, no_material), {"path.json", "$.switches[0].material", "chalk"});
   expect_bad_input(relight(shop, bad_albedo), {"path.json", "$.switches[0].albedo", "1.5"});
+}
+
+/// Every light path beside the scenes is one of the scene that it is named after.
+TEST(LightPaths, OfTheScenesAreReadable) {
+  namespace fs = std::filesystem;
+  int found = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(GIBENCH_SOURCE_DIR "/scenes")) {
+    const std::string name = entry.path().filename().string(), ending = ".lights.json";
+    if (!name.ends_with(ending)) continue;
+    ++found;
+    const Scene scene = load_scene(entry.path().parent_path() / (name.substr(0, name.size() - ending.size()) + ".scene.json"));
+    EXPECT_GT(read_light_path(entry.path(), scene, std::nullopt).size(), 1U) << name;
+  }
+  EXPECT_GE(found, 3);
 }
 
 }  // namespace

@@ -236,5 +236,84 @@ TEST(Study, AFolderOfSomethingElseIsLeftAlone) {
   expect_bad_input(shop.gibench({"study", "small.study.json", "--out", "room.scene.json/out"}), {"room.scene.json"});
 }
 
+/// The small study with its room relit on the way.
+Json relit_study() {
+  Json json = small_study({1});
+  json["pictures"] = false;
+  json["relights"] = {{{"scene", "room"},
+                       {"lights", "path.json"},
+                       {"method", "spectral"},
+                       {"label", "relit"},
+                       {"parameters", {{"vertices", 200}, {"rays", 64}, {"basis_functions", 50}}},
+                       {"reference_samples", 4}}};
+  return json;
+}
+
+TEST(Study, RelightsAndKeepsWhatItRelit) {
+  const Workshop shop;
+  shop.write(
+      "path.json",
+      Json{{"gibench_light_path", 1}, {"frames", 2}, {"switches", {{{"at", 0.5}, {"material", "wall"}, {"albedo", 0.2}}}}});
+  const Outcome outcome = study(shop, relit_study());
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json manifest = shop.read_json("out/manifest.json");
+  ASSERT_EQ(manifest["relights"].size(), 1U);
+  const Json& relight = manifest["relights"][0];
+  EXPECT_EQ(relight["status"], "done") << relight;
+  EXPECT_EQ(relight["label"], "relit");
+  const std::string file = "out/" + relight["folder"].get<std::string>() + "/relight.json";
+  EXPECT_EQ(shop.read_json(file)["frames"].size(), 2U);
+  EXPECT_TRUE(shop.read_json(file)["summary"].contains("frames_that_pay_for_prepare"));
+  const std::string first = shop.read(file);
+  ASSERT_EQ(study(shop, relit_study()).status, 0);
+  EXPECT_EQ(shop.read(file), first);
+  shop.write("path.json", Json{{"gibench_light_path", 1}, {"frames", 3}});
+  ASSERT_EQ(study(shop, relit_study()).status, 0);
+  EXPECT_EQ(shop.read_json(file)["frames"].size(), 3U) << "another light path is another relighting";
+}
+
+TEST(Study, WithoutPicturesHasErrorsAtTheSurfaceAlone) {
+  const Workshop shop;
+  Json json = small_study({1});
+  json["pictures"] = false;
+  ASSERT_EQ(study(shop, json).status, 0);
+  const std::string folder = "out/runs/room.pathtracer-samples=1";
+  EXPECT_FALSE(shop.has(folder + "/image.exr"));
+  const Json errors = shop.read_json(folder + "/result.json")["errors"]["indirect"];
+  EXPECT_TRUE(errors.contains("surface"));
+  EXPECT_FALSE(errors.contains("image"));
+}
+
+TEST(Study, AMethodRunsOnItsScenesAlone) {
+  const Workshop shop;
+  Json json = small_study();
+  json["scenes"].push_back("furnace.scene.json");
+  shop.write("furnace.scene.json", furnace_scene());
+  json["methods"].push_back({{"method", "meshless"}, {"scenes", {"furnace"}}});
+  const Outcome listed = study(shop, json, {"--dry-run"});
+  EXPECT_EQ(listed.out,
+            "room.pathtracer-samples=1\nroom.pathtracer-samples=4\nfurnace.pathtracer-samples=1\nfurnace.pathtracer-samples=4\n"
+            "furnace.meshless\n");
+  json["methods"][1]["scenes"] = {"cellar"};
+  expect_bad_input(study(shop, json), {"$.methods[1].scenes[0]", "cellar", "room, furnace"});
+}
+
+TEST(Study, BadRelightsNamePlaceAndMend) {
+  const Workshop shop;
+  shop.write("path.json", Json{{"gibench_light_path", 1}});
+  const auto with = [](const char* key, const Json& value) {
+    Json json = relit_study();
+    json["relights"][0][key] = value;
+    return json;
+  };
+  expect_bad_input(study(shop, with("scene", "attic")), {"$.relights[0].scene", "attic", "room"});
+  expect_bad_input(study(shop, with("lights", "no.json")), {"$.relights[0].lights", "no.json"});
+  expect_bad_input(study(shop, with("method", "magic")), {"$.relights[0].method", "magic", "spectral"});
+  expect_bad_input(study(shop, with("parameters", {{"verts", 3}})), {"$.relights[0].parameters", "verts"});
+  Json twice = relit_study();
+  twice["relights"].push_back(twice["relights"][0]);
+  expect_bad_input(study(shop, twice), {"$.relights[1]", "stands twice"});
+}
+
 }  // namespace
 }  // namespace gibench::test

@@ -213,6 +213,42 @@ test("failures, effects and the manifest are shown", async () => {
   await page.close();
 });
 
+test("a sweep's series are told apart by their labels, on log axes", async () => {
+  const { page } = await open();
+  const drawn = await page.evaluate(() => {
+    const { study, plots, plotting } = gibench, method = study.runs[0].method;
+    // Two series of one method, and a third run of the first that another sweep made.
+    const run = (label, functions, laplacian) => ({ ...study.runs[0], label, method, parameters: [["functions", String(functions)], ["laplacian", laplacian]] });
+    const runs = [32, 64, 128].flatMap((n) => [run(`areas functions=${n}`, n, "cotan"), run(`plain functions=${n}`, n, "graph")]).concat(run("areas rays=9", 256, "cotan"));
+    const made = { ...study, runs }, scene = { ...study.scenes[0], runs: runs.map((_, i) => i) };
+    const [sweep] = plotting.sweeps(made, scene, 0), spec = plotting.sweepPlot(made, plots, 0, 600, sweep);
+    const colour = spec.encoding.color.scale;
+    return { labels: colour.domain, colours: colour.range, title: spec.encoding.x.title, scale: spec.encoding.x.scale.type, ticks: spec.encoding.x.axis.values, counts: colour.domain.map((label) => spec.datasets.runs.filter((p) => p.method === label).length) };
+  });
+  assert.deepEqual(drawn.labels, ["areas", "plain"]);
+  assert.deepEqual(drawn.counts, [4, 3]);
+  assert.notEqual(drawn.colours[0], drawn.colours[1]);
+  assert.deepEqual(drawn.ticks, [32, 64, 128, 256]);
+  assert.equal(drawn.scale, "log");
+  await page.close();
+});
+
+test("relighting tells after how many frames preparing has paid, in words, a plot and a table", async () => {
+  const { page, problems } = await open({ hash: "#relighting" });
+  const section = page.locator("#relighting");
+  const findings = await section.locator("p.finding").allTextContents();
+  assert.equal(findings.length, 2);
+  assert.ok(findings[0].includes("has paid for itself after 2 [2, 3] frames"), findings[0]);
+  assert.ok(findings[1].includes("after 4 frames at most"), findings[1]);
+  await section.scrollIntoViewIfNeeded();
+  await section.locator(".plot[data-drawn=yes] svg.marks").waitFor();
+  const labels = await section.locator(".role-legend-label text").allTextContents();
+  for (const label of ["cornell-box: relit", "cornell-box: relit finely", "relighting", "path tracing", "path tracing, at least"]) assert.ok(labels.includes(label), label);
+  assert.equal(await section.locator("figure.table tbody").first().locator("tr").count(), 2);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
 test("controls have names, and a narrow window does not scroll sideways", async () => {
   const { page } = await open({ width: 390 });
   await readThrough(page);
@@ -225,7 +261,7 @@ test("controls have names, and a narrow window does not scroll sideways", async 
 
 test("plots are there as SVG and PDF of the same specifications", () => {
   const names = readdirSync(path.join(report, "plots")).filter((name) => name.endsWith(".vl.json")).map((name) => name.slice(0, -8));
-  assert.ok(names.includes("ranking") && names.includes("scene-1-cornell-box-surface-indirect"));
+  assert.ok(names.includes("ranking") && names.includes("scene-1-cornell-box-surface-indirect") && names.includes("relighting"));
   for (const name of names) {
     const svg = readFileSync(path.join(report, "plots", `${name}.svg`), "utf8");
     assert.match(svg, /^<svg [^]*<\/svg>\s*$/);

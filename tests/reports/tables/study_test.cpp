@@ -212,5 +212,33 @@ TEST_F(StudyFixture, EveryMethodHasAStyleOfItsOwn) {
   EXPECT_EQ(method_styles(study).size(), 17U);
 }
 
+TEST_F(StudyFixture, RelightingsTellWhenPreparingHasPaid) {
+  const Study study = collect_study(folder_);
+  ASSERT_EQ(study.relights.size(), 2U);
+  const Table table = relight_table(study);
+  EXPECT_EQ(text_in(table, 0, "frames_that_pay"), "2 [2, 3]");
+  EXPECT_EQ(text_in(table, 0, "times_cheaper"), "400× [300×, 500×]");
+  EXPECT_EQ(text_in(table, 1, "frames_that_pay"), "≤ 4") << "the reference's noise hides the error";
+  EXPECT_EQ(text_in(table, 1, "times_cheaper"), "≥ 200×");
+  EXPECT_EQ(relit_frame_table(study).rows.size(), 4U);
+  EXPECT_EQ(text_in(relit_frame_table(study), 0, "indirect_relative_rmse"), "2.00 % [1.90, 2.12]");
+  EXPECT_EQ(
+      relight_sentence(study.relights[0]),
+      "relit on cornell-box: a frame takes 40.0 ms after 30.0 s of preparing; path tracing to the same error takes 400 [300, "
+      "500] times that. Preparing has paid for itself after 2 [2, 3] frames.");
+  EXPECT_THAT(relight_sentence(study.relights[1]), HasSubstr("at least 200 times"));
+  EXPECT_THAT(relight_sentence(study.relights[1]), HasSubstr("after 4 frames at most"));
+}
+
+TEST_F(StudyFixture, ARelightingWithADamagedRecordFailsAndSaysWhy) {
+  std::ofstream(folder_ / "runs" / "relit-1" / "relight.json") << "{\"frames\": ";
+  const Study study = collect_study(folder_);
+  ASSERT_EQ(study.relights.size(), 2U);
+  EXPECT_EQ(study.relights[0].status, RunStatus::failed);
+  EXPECT_THAT(study.relights[0].message, HasSubstr("relight.json"));
+  EXPECT_EQ(relight_sentence(study.relights[0]), "");
+  EXPECT_EQ(relight_table(study).rows.size(), 2U);
+}
+
 }  // namespace
 }  // namespace gibench::report
