@@ -13,7 +13,7 @@
 namespace gibench::antiradiance {
 
 /// A disc that stands for a run of elements. 64 bytes: one line of the cache.
-struct Node {
+struct alignas(64) Node {
   Vec3 centre{0.0F};       ///< area-weighted mean of the elements' centres
   float reach = 0.0F;      ///< metres: no element's centre is further from the node's
   Vec3 normal{0.0F};       ///< unit; area-weighted mean

@@ -51,7 +51,7 @@ class Oracle {
   float limit_, per_power_;
 };
 
-inline Verdicts Oracle::judge(const Node& p, const Index8& senders, const Mask8& valid) const {
+[[gnu::always_inline]] inline Verdicts Oracle::judge(const Node& p, const Index8& senders, const Mask8& valid) const {
   const auto [x, y, z, q_reach] = load_quads<offsetof(Node, centre)>(nodes_, senders);
   const auto [nx, ny, nz, q_area] = load_quads<offsetof(Node, normal)>(nodes_, senders);
   const auto [q_thickness, q_cone, right, unused] = load_quads<offsetof(Node, thickness)>(nodes_, senders);

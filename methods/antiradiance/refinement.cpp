@@ -5,7 +5,7 @@
 #include <atomic>
 #include <bit>
 #include <cstring>
-#include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -17,7 +17,6 @@ namespace gibench::antiradiance {
 namespace {
 
 constexpr std::size_t wanted_receivers = 512;  // to be worked on side by side
-constexpr std::size_t block_links = 4096;
 
 std::size_t size_of(unsigned set) { return static_cast<std::size_t>(std::popcount(set)); }
 
@@ -61,17 +60,36 @@ class Queue {
   std::size_t size_ = 0;
 };
 
+/// Links as they are made.
+struct alignas(64) Block {
+  static constexpr std::size_t most = 4092;
+  std::array<std::uint32_t, most> senders;
+  std::array<float, most> factors;
+  std::size_t count;
+};
+
+/// Hands out blocks to all threads, and keeps their memory.
+class BlockPool {
+ public:
+  Block* take() {
+    const std::lock_guard lock(mutex_);
+    if (slabs_.empty() || used_ == slabs_.back().size()) slabs_.emplace_back(huge_page / sizeof(Block)), used_ = 0;
+    Block* const block = &slabs_.back()[used_++];
+    block->count = 0;
+    return block;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<LargeArray<Block>> slabs_;
+  std::size_t used_ = 0;
+};
+
 /// Links in the order in which they are made; what is there is not moved when more come.
 class LinkStore {
  public:
-  struct Block {
-    std::size_t count = 0;
-    std::array<std::uint32_t, block_links> senders;
-    std::array<float, block_links> factors;
-  };
-
-  void push(const Index8& senders, const Float8& factors, std::size_t count) {
-    if (blocks_.empty() || blocks_.back()->count + lanes > block_links) blocks_.push_back(std::make_unique_for_overwrite<Block>());
+  void push(const Index8& senders, const Float8& factors, std::size_t count, BlockPool& pool) {
+    if (blocks_.empty() || blocks_.back()->count + lanes > Block::most) blocks_.push_back(pool.take());
     Block& block = *blocks_.back();
     store(block.senders.data() + block.count, senders);
     store(block.factors.data() + block.count, factors);
@@ -79,10 +97,10 @@ class LinkStore {
     size_ += count;
   }
   std::size_t size() const { return size_; }
-  std::vector<std::unique_ptr<Block>>& blocks() { return blocks_; }
+  std::span<Block* const> blocks() const { return blocks_; }
 
  private:
-  std::vector<std::unique_ptr<Block>> blocks_;
+  std::vector<Block*> blocks_;
   std::size_t size_ = 0;
 };
 
@@ -96,7 +114,7 @@ struct Rows {
 
 class Refiner {
  public:
-  Refiner(std::span<const Node> nodes, const Oracle& oracle) : nodes_(nodes), oracle_(oracle) {}
+  Refiner(std::span<const Node> nodes, const Oracle& oracle, BlockPool& pool) : nodes_(nodes), oracle_(oracle), pool_(pool) {}
 
   /// Works off the queue of one receiver: appends its links, and to `passed_on` what its children are to look at.
   void work(std::uint32_t receiver, Queue& queue, Queue& passed_on, Rows& rows) const {
@@ -108,7 +126,8 @@ class Refiner {
       const Index8 senders = queue.eight(from) & std::bit_cast<Index8>(valid);
       from += count;
       const Verdicts found = oracle_.judge(p, senders, valid);
-      rows.links.push(packed(senders | found.sides, found.link), packed(found.factors, found.link), size_of(found.link));
+      rows.links.push(packed(senders | found.sides, found.link), packed(found.factors, found.link), size_of(found.link),
+                      pool_);
       queue.push_pairs(packed(senders + 1U, found.split_sender), packed(found.right, found.split_sender),
                        size_of(found.split_sender));
       passed_on.push(packed(senders, found.split_receiver), size_of(found.split_receiver));
@@ -138,6 +157,7 @@ class Refiner {
  private:
   std::span<const Node> nodes_;
   const Oracle& oracle_;
+  BlockPool& pool_;
   std::vector<Queue> queues_, passed_on_;
 };
 
@@ -147,7 +167,7 @@ struct Receiver {
 };
 
 /// Puts the rows together in the order of the nodes.
-LinkTable assemble(std::vector<Rows>& all, std::size_t nodes, Task& task) {
+LinkTable assemble(const std::vector<Rows>& all, std::size_t nodes, Task& task) {
   LinkTable table;
   table.row_begin.assign(nodes + 1, 0);
   for (const Rows& rows : all) std::copy(rows.counts.begin(), rows.counts.end(), table.row_begin.begin() + 1 + rows.first);
@@ -157,11 +177,10 @@ LinkTable assemble(std::vector<Rows>& all, std::size_t nodes, Task& task) {
   task.parallel_chunks(all.size(), 16, [&](const ChunkRange& range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       std::size_t at = table.row_begin[all[i].first];
-      for (auto& block : all[i].links.blocks()) {
+      for (const Block* block : all[i].links.blocks()) {
         std::memcpy(static_cast<void*>(table.senders.data() + at), block->senders.data(), block->count * sizeof(Sender));
         std::memcpy(table.factors.data() + at, block->factors.data(), block->count * sizeof(float));
         at += block->count;
-        block.reset();
       }
     }
   });
@@ -176,6 +195,7 @@ LinkTable make_links(const Hierarchy& hierarchy, const RefinementRule& rule, Tas
   const Oracle oracle(hierarchy.nodes(), rule,
                       static_cast<float>(area / static_cast<double>(std::max<std::size_t>(1, hierarchy.leaf_count()))));
 
+  BlockPool pool;
   std::vector<Rows> all;
   std::vector<Receiver> receivers;
   for (std::size_t root = 0; root < hierarchy.roots().size(); ++root)
@@ -188,7 +208,7 @@ LinkTable make_links(const Hierarchy& hierarchy, const RefinementRule& rule, Tas
     std::vector<Rows> rows(receivers.size());
     std::vector<Queue> passed_on(receivers.size());
     task.parallel_chunks(receivers.size(), 4, [&](const ChunkRange& range) {
-      const Refiner refiner(hierarchy.nodes(), oracle);
+      const Refiner refiner(hierarchy.nodes(), oracle, pool);
       for (std::size_t i = range.begin; i < range.end; ++i) {
         rows[i].first = receivers[i].node;
         refiner.work(receivers[i].node, receivers[i].senders, passed_on[i], rows[i]);
@@ -210,7 +230,7 @@ LinkTable make_links(const Hierarchy& hierarchy, const RefinementRule& rule, Tas
   const std::size_t first = all.size();
   all.resize(first + receivers.size());
   task.parallel_chunks(receivers.size(), 1, [&](const ChunkRange& range) {
-    Refiner refiner(hierarchy.nodes(), oracle);
+    Refiner refiner(hierarchy.nodes(), oracle, pool);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       if (made.load(std::memory_order_relaxed) > rule.most_links) return;
       Rows& rows = all[first + i];
