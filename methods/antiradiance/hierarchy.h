@@ -14,13 +14,13 @@ namespace gibench::antiradiance {
 
 /// A disc that stands for a run of elements. 64 bytes: one line of the cache.
 struct alignas(64) Node {
-  Vec3 centre{0.0F};       ///< area-weighted mean of the elements' centres
-  float reach = 0.0F;      ///< metres: no element's centre is further from the node's
-  Vec3 normal{0.0F};       ///< unit; area-weighted mean
-  float area = 0.0F;       ///< m²
-  float thickness = 0.0F;  ///< metres: no element's centre is further from the disc's plane
-  float cone_sine = 0.0F;  ///< of the half-angle about `normal` that holds all elements' normals; 1 from a right angle on
-  std::uint32_t right = 0;           ///< the second child; the first is the next node; 0: a leaf
+  Vec3 centre{0.0F};        ///< area-weighted mean of the elements' centres
+  float reach = 0.0F;       ///< metres: no element's centre is further from the node's
+  Vec3 normal{0.0F};        ///< unit; area-weighted mean
+  float area = 0.0F;        ///< m²
+  float thickness = 0.0F;   ///< metres: no element's centre is further from the disc's plane
+  float cone_sine = 0.0F;   ///< of the half-angle about `normal` that holds all elements' normals; 1 from a right angle on
+  std::uint32_t right = 0;  ///< the second child; the first is the next node; 0: a leaf
   std::uint32_t begin = 0, end = 0;  ///< its elements, in Hierarchy::order()
   bool black_back = true;            ///< see Elements::black_back(); one object's elements are all alike
   bool is_leaf() const { return right == 0; }

@@ -126,8 +126,7 @@ class Refiner {
       const Index8 senders = queue.eight(from) & std::bit_cast<Index8>(valid);
       from += count;
       const Verdicts found = oracle_.judge(p, senders, valid);
-      rows.links.push(packed(senders | found.sides, found.link), packed(found.factors, found.link), size_of(found.link),
-                      pool_);
+      rows.links.push(packed(senders | found.sides, found.link), packed(found.factors, found.link), size_of(found.link), pool_);
       queue.push_pairs(packed(senders + 1U, found.split_sender), packed(found.right, found.split_sender),
                        size_of(found.split_sender));
       passed_on.push(packed(senders, found.split_receiver), size_of(found.split_receiver));
@@ -136,7 +135,7 @@ class Refiner {
     rows.counts.push_back(static_cast<std::uint32_t>(rows.links.size() - before));
   }
 
-/// The receiver and everything below it.
+  /// The receiver and everything below it.
   void work_down(std::uint32_t receiver, std::span<const std::uint32_t> senders, Rows& rows, std::size_t depth = 0) {
     if (queues_.size() <= depth) queues_.resize(depth + 1), passed_on_.resize(depth + 1);
     const Node& node = nodes_[receiver];
