@@ -54,9 +54,9 @@ class Hierarchy {
   struct Range {
     std::uint32_t node, begin, end;
   };
-  void split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
+  std::vector<std::vector<std::uint32_t>> split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
   std::uint32_t split(const Elements& elements, const Range& range);
-  void fill_nodes(const Elements& elements);
+  void fill(const Elements& elements, std::uint32_t index);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> roots_, root_spaces_, order_, leaf_nodes_, leaf_of_element_;
