@@ -15,8 +15,10 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr double coarser = 1.5;        // times, from one oracle to the next
-constexpr double bytes_a_link = 26.0;  // the table with masks, and the rows that it is put together from
+constexpr double coarser = 1.5;  // times, from one oracle to the next
+// At the peak, for each of the oracle's links: the table and the blocks it is put together from; with masks also the near
+// links' pieces and all links' directions (measured: README.md, Memory).
+constexpr double bytes_a_link = 20.0, bytes_a_masked_link = 52.0;
 constexpr int most_attempts = 24;
 constexpr double krylov_vectors = 8.0;
 
@@ -86,7 +88,8 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
     }
     rule.mean_radiosity = area > 0.0 ? static_cast<float>(sum / area) : 0.0F;
   }
-  rule.most_links = static_cast<std::size_t>((settings.memory_budget - fixed) / bytes_a_link);
+  rule.most_links =
+      static_cast<std::size_t>((settings.memory_budget - fixed) / (by_direction ? bytes_a_masked_link : bytes_a_link));
   RefinementCounts counts;
   for (int attempt = 0; attempt < most_attempts && !task.cancelled(); ++attempt) {
     linking.links = make_links(parts.hierarchy, rule, task, counts);

@@ -1,6 +1,8 @@
 #include "methods/antiradiance/form_factor.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace gibench::antiradiance {

@@ -1,11 +1,10 @@
 /// Unoccluded form factors: disc to disc, point to disc, point to polygon. Each is bounded at any distance.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "common/core/vec.h"
+#include "methods/antiradiance/lanes.h"
 
 namespace gibench::antiradiance {
 
@@ -17,20 +16,22 @@ struct Disc {
 
 /// A_i F_ij = A_j F_ji of two coaxial parallel discs whose centres are the square root of `squared_distance` apart, m²; a²
 /// is area / π. The closed form (π/2)(S − √(S² − 4 a_i² a_j²)), S = r² + a_i² + a_j² (Howell, C-41), written without
-/// cancellation; never more than the smaller area.
-inline float coaxial_exchange(float squared_distance, float area_i, float area_j) {
-  const float ai = area_i * (1.0F / pi), aj = area_j * (1.0F / pi);
-  const float s = squared_distance + ai + aj;
-  const float root = std::sqrt(std::max(0.0F, (s - 2.0F * std::sqrt(ai * aj)) * (s + 2.0F * std::sqrt(ai * aj))));
-  return s > 0.0F ? 2.0F * pi * ai * aj / (s + root) : 0.0F;
+/// cancellation; never more than the smaller area. A number, or eight.
+template <class Number>
+Number coaxial_exchange(const Number& squared_distance, float area_i, const Number& area_j) {
+  const float ai = area_i * (1.0F / pi);
+  const Number aj = area_j * (1.0F / pi), s = squared_distance + ai + aj, product = 2.0F * square_root(ai * aj);
+  const Number root = square_root(larger(Number{}, (s - product) * (s + product)));
+  return s > 0.0F ? 2.0F * pi * ai * aj / (s + root) : Number{};
 }
 
 /// What the coaxial form is multiplied by for discs that do not face each other: the cosines, and the second-order terms
 /// of the Taylor series of cos cos / r² over both discs that the coaxial form does not hold. `u` and `v`: distance of
 /// either centre from the other's plane (not negative) over r; `m`: n_i·n_j on the sides that face each other; `ti`, `tj`: a²/S.
-inline float orientation_factor(float u, float v, float m, float ti, float tj) {
-  const float tilt = 1.0F + ti * (2.0F - 3.0F * u * u) + tj * (2.0F - 3.0F * v * v);
-  return std::clamp(u * v * tilt - m * (ti * u * u + tj * v * v), 0.0F, 1.0F);
+template <class Number>
+Number orientation_factor(const Number& u, const Number& v, const Number& m, const Number& ti, const Number& tj) {
+  const Number tilt = 1.0F + ti * (2.0F - 3.0F * u * u) + tj * (2.0F - 3.0F * v * v);
+  return smaller(larger(u * v * tilt - m * (ti * u * u + tj * v * v), Number{}), Number{} + 1.0F);
 }
 
 /// A_i F_ij between the sides of two discs that face each other, m²: symmetric to the last bit, bounded by the smaller

@@ -10,6 +10,7 @@ namespace gibench::antiradiance {
 
 namespace {
 
+constexpr std::size_t fill_chunk = 1024;
 constexpr std::uint32_t fewest_of_a_split = 16;  // one part in so many: a lopsided split is made at the median instead
 
 /// Place and normal in one vector: what a node is split by. Normals count in metres of the node's own object.
@@ -77,15 +78,23 @@ Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> sp
   const auto key = [&](std::uint32_t element) {
     return std::pair(spaces.empty() ? 0U : spaces[element], elements.sheet(element));
   };
-  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  split_all(elements, spaces, task);
-  fill_nodes(elements);
+  const auto before = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
+  if (!std::is_sorted(order_.begin(), order_.end(), before)) std::stable_sort(order_.begin(), order_.end(), before);
+  const std::vector<std::vector<std::uint32_t>> levels = split_all(elements, spaces, task);
+  leaf_nodes_.assign(order_.size(), 0);
+  if (task.cancelled()) return;
+  for (std::size_t level = levels.size(); level-- > 0;)
+    task.parallel_chunks(levels[level].size(), fill_chunk, [&](const ChunkRange& range) {
+      for (std::size_t i = range.begin; i < range.end; ++i) fill(elements, levels[level][i]);
+    });
 }
 
 /// Level by level: the ranges of a level are disjoint. A subtree of m leaves has 2m − 1 nodes, so that every node knows its
-/// number before its children are made.
-void Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task) {
+/// number before its children are made. Returns the nodes of every level.
+std::vector<std::vector<std::uint32_t>> Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_t> spaces,
+                                                             Task& task) {
   const auto space = [&](std::uint32_t element) { return spaces.empty() ? 0U : spaces[element]; };
+  std::vector<std::vector<std::uint32_t>> levels;
   std::vector<Range> level, next;
   std::uint32_t nodes = 0;
   for (std::uint32_t begin = 0; begin < order_.size();) {
@@ -102,10 +111,12 @@ void Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_
   nodes_.resize(nodes);
   while (!level.empty() && !task.cancelled()) {
     next.assign(2 * level.size(), {0, 0, 0});
+    std::vector<std::uint32_t>& numbers = levels.emplace_back(level.size());
     const std::size_t chunk = std::max<std::size_t>(1, level.size() / 64);
     task.parallel_chunks(level.size(), chunk, [&](const ChunkRange& range) {
       for (std::size_t i = range.begin; i < range.end; ++i) {
         const Range& whole = level[i];
+        numbers[i] = whole.node;
         Node& node = nodes_[whole.node];
         node.begin = whole.begin, node.end = whole.end;
         if (whole.end - whole.begin < 2) continue;
@@ -118,6 +129,7 @@ void Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_
     std::erase_if(next, [](const Range& range) { return range.begin == range.end; });
     level.swap(next);
   }
+  return levels;
 }
 
 std::uint32_t Hierarchy::split(const Elements& elements, const Range& range) {
@@ -139,35 +151,30 @@ std::uint32_t Hierarchy::split(const Elements& elements, const Range& range) {
   return range.begin + count / 2;
 }
 
-/// From the leaves up; linear, and light beside the splitting.
-void Hierarchy::fill_nodes(const Elements& elements) {
-  leaf_nodes_.assign(order_.size(), 0);
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
-    Node& node = nodes_[i];
-    if (node.is_leaf()) {
-      if (node.begin >= order_.size()) continue;  // the build was cancelled
-      const std::uint32_t element = order_[node.begin];
-      const Disc& disc = elements.disc(element);
-      node.centre = disc.centre, node.normal = disc.normal, node.area = disc.area;
-      node.reach = 0.0F;
-      node.black_back = elements.black_back(element);
-      leaf_nodes_[node.begin] = static_cast<std::uint32_t>(i);
-      leaf_of_element_[element] = node.begin;
-      continue;
-    }
-    const Node &left = nodes_[i + 1], &right = nodes_[node.right];
-    node.area = left.area + right.area;
-    const float share = left.area / node.area;
-    node.centre = left.centre * share + right.centre * (1.0F - share);
-    const Vec3 normal = left.normal * share + right.normal * (1.0F - share);
-    const float length = glm::length(normal);
-    node.normal = length > 1e-6F ? normal / length : left.normal;
-    node.black_back = left.black_back;
-    node.cone_sine = std::max(cone_of(node.normal, left), cone_of(node.normal, right));
-    node.reach =
-        std::max(glm::length(left.centre - node.centre) + left.reach, glm::length(right.centre - node.centre) + right.reach);
-    node.thickness = std::max(thickness_of(node, left), thickness_of(node, right));
+/// From its element, or from its children, which are filled before.
+void Hierarchy::fill(const Elements& elements, std::uint32_t index) {
+  Node& node = nodes_[index];
+  if (node.is_leaf()) {
+    const std::uint32_t element = order_[node.begin];
+    const Disc& disc = elements.disc(element);
+    node.centre = disc.centre, node.normal = disc.normal, node.area = disc.area;
+    node.black_back = elements.black_back(element);
+    leaf_nodes_[node.begin] = index;
+    leaf_of_element_[element] = node.begin;
+    return;
   }
+  const Node &left = nodes_[index + 1], &right = nodes_[node.right];
+  node.area = left.area + right.area;
+  const float share = left.area / node.area;
+  node.centre = left.centre * share + right.centre * (1.0F - share);
+  const Vec3 normal = left.normal * share + right.normal * (1.0F - share);
+  const float length = glm::length(normal);
+  node.normal = length > 1e-6F ? normal / length : left.normal;
+  node.black_back = left.black_back;
+  node.cone_sine = std::max(cone_of(node.normal, left), cone_of(node.normal, right));
+  node.reach =
+      std::max(glm::length(left.centre - node.centre) + left.reach, glm::length(right.centre - node.centre) + right.reach);
+  node.thickness = std::max(thickness_of(node, left), thickness_of(node, right));
 }
 
 std::vector<std::uint32_t> Hierarchy::roots_beside(std::size_t root) const {

@@ -13,15 +13,15 @@
 namespace gibench::antiradiance {
 
 /// A disc that stands for a run of elements. 64 bytes: one line of the cache.
-struct Node {
-  Vec3 centre{0.0F};       ///< area-weighted mean of the elements' centres
-  float reach = 0.0F;      ///< metres: no element's centre is further from the node's
-  Vec3 normal{0.0F};       ///< unit; area-weighted mean
-  float area = 0.0F;       ///< m²
-  float thickness = 0.0F;  ///< metres: no element's centre is further from the disc's plane
-  float cone_sine = 0.0F;  ///< of the half-angle about `normal` that holds all elements' normals; 1 from a right angle on
+struct alignas(64) Node {
+  Vec3 centre{0.0F};        ///< area-weighted mean of the elements' centres
+  float reach = 0.0F;       ///< metres: no element's centre is further from the node's
+  Vec3 normal{0.0F};        ///< unit; area-weighted mean
+  float area = 0.0F;        ///< m²
+  float thickness = 0.0F;   ///< metres: no element's centre is further from the disc's plane
+  float cone_sine = 0.0F;   ///< of the half-angle about `normal` that holds all elements' normals; 1 from a right angle on
+  std::uint32_t right = 0;  ///< the second child; the first is the next node; 0: a leaf
   std::uint32_t begin = 0, end = 0;  ///< its elements, in Hierarchy::order()
-  std::uint32_t right = 0;           ///< the second child; the first is the next node; 0: a leaf
   bool black_back = true;            ///< see Elements::black_back(); one object's elements are all alike
   bool is_leaf() const { return right == 0; }
   Disc disc() const { return {centre, normal, area}; }
@@ -54,9 +54,9 @@ class Hierarchy {
   struct Range {
     std::uint32_t node, begin, end;
   };
-  void split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
+  std::vector<std::vector<std::uint32_t>> split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
   std::uint32_t split(const Elements& elements, const Range& range);
-  void fill_nodes(const Elements& elements);
+  void fill(const Elements& elements, std::uint32_t index);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> roots_, root_spaces_, order_, leaf_nodes_, leaf_of_element_;

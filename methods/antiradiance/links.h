@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "methods/antiradiance/bins.h"
+#include "methods/antiradiance/large_array.h"
 
 namespace gibench::antiradiance {
 
@@ -27,9 +28,9 @@ struct LinkMask {
 /// Rows by receiving node. 8 bytes a link (sender and factor), 10 more with masks.
 struct LinkTable {
   std::vector<std::uint32_t> row_begin;  ///< of every node, and the end
-  std::vector<Sender> senders;
-  std::vector<float> factors;   ///< F from the receiver to the sender: irradiance over π · radiance
-  std::vector<LinkMask> masks;  ///< empty without bins
+  LargeArray<Sender> senders;
+  LargeArray<float> factors;   ///< F from the receiver to the sender: irradiance over π · radiance
+  LargeArray<LinkMask> masks;  ///< empty without bins
 
   std::size_t size() const { return senders.size(); }
   std::size_t bytes() const {

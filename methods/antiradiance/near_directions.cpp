@@ -16,6 +16,7 @@ constexpr float by_direction = 0.1F;  // a larger form factor is split by direct
 constexpr std::size_t directions = 64;
 
 struct Row {
+  std::vector<std::uint32_t> counts;  ///< of each link's
   std::vector<Sender> senders;
   std::vector<float> factors;
   std::vector<Vec3> ways;
@@ -108,40 +109,66 @@ void split(const Elements& elements, std::uint32_t to, std::uint32_t from, Sende
     if (shares[k] > 0.0F) row.add(sender, factor * shares[k] / sum, ways[k]);
 }
 
+/// Unit direction from one centre to the other.
+Vec3 way_between(const Node& from, const Node& to) {
+  const Vec3 d = to.centre - from.centre;
+  const float distance = glm::length(d);
+  return distance > 0.0F ? d / distance : -to.normal;
+}
+
+bool near_leaves(const Node& from, const Node& to) {
+  return from.is_leaf() && to.is_leaf() &&
+         glm::length(to.centre - from.centre) < near_radii * (std::sqrt(to.area / pi) + std::sqrt(from.area / pi));
+}
+
 }  // namespace
 
 void split_near_links(const Elements& elements, const Hierarchy& hierarchy, LinkTable& links, std::vector<Vec3>& ways,
                       Task& task) {
   const auto nodes = hierarchy.nodes();
-  std::vector<Row> rows(chunk_count(nodes.size(), node_chunk));
-  std::vector<std::uint32_t> counts(nodes.size(), 0);
+  std::vector<Row> pieces(chunk_count(nodes.size(), node_chunk));  // of near links alone: most links stay as they are
+  LinkTable table;
+  table.row_begin.assign(nodes.size() + 1, 0);
   task.parallel_chunks(nodes.size(), node_chunk, [&](const ChunkRange& range) {
-    Row& row = rows[range.chunk];
+    Row& row = pieces[range.chunk];
     for (std::size_t p = range.begin; p < range.end; ++p) {
-      const std::size_t before = row.senders.size();
+      std::size_t count = 0;
       for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link) {
         const Sender sender = links.senders[link];
         const Node &to = nodes[p], &from = nodes[sender.node()];
-        const Vec3 d = to.centre - from.centre;
-        const float distance = glm::length(d);
-        const Vec3 way = distance > 0.0F ? d / distance : -to.normal;
-        const bool near = distance < near_radii * (std::sqrt(to.area / pi) + std::sqrt(from.area / pi));
-        if (near && to.is_leaf() && from.is_leaf())
-          split(elements, hierarchy.element(to), hierarchy.element(from), sender, links.factors[link], way, row);
-        else row.add(sender, links.factors[link], way);
+        const std::size_t before = row.senders.size();
+        if (near_leaves(from, to)) {
+          split(elements, hierarchy.element(to), hierarchy.element(from), sender, links.factors[link], way_between(from, to),
+                row);
+          row.counts.push_back(static_cast<std::uint32_t>(row.senders.size() - before));
+          count += row.counts.back();
+        } else {
+          ++count;
+        }
       }
-      counts[p] = static_cast<std::uint32_t>(row.senders.size() - before);
+      table.row_begin[p + 1] = static_cast<std::uint32_t>(count);
     }
   });
-  LinkTable table;
-  table.row_begin.assign(nodes.size() + 1, 0);
-  for (std::size_t p = 0; p < nodes.size(); ++p) table.row_begin[p + 1] = table.row_begin[p] + counts[p];
-  for (Row& row : rows) {
-    table.senders.insert(table.senders.end(), row.senders.begin(), row.senders.end());
-    table.factors.insert(table.factors.end(), row.factors.begin(), row.factors.end());
-    ways.insert(ways.end(), row.ways.begin(), row.ways.end());
+  for (std::size_t p = 0; p < nodes.size(); ++p) table.row_begin[p + 1] += table.row_begin[p];
+  table.senders.resize(table.row_begin.back());
+  table.factors.resize(table.row_begin.back());
+  ways.resize(table.row_begin.back());
+  task.parallel_chunks(nodes.size(), node_chunk, [&](const ChunkRange& range) {
+    Row& row = pieces[range.chunk];
+    std::size_t next = 0, split_links = 0, at = table.row_begin[range.begin];
+    for (std::size_t p = range.begin; p < range.end; ++p)
+      for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link) {
+        const Node& from = nodes[links.senders[link].node()];
+        if (!near_leaves(from, nodes[p])) {
+          table.senders[at] = links.senders[link], table.factors[at] = links.factors[link];
+          ways[at++] = way_between(from, nodes[p]);
+          continue;
+        }
+        for (const std::size_t end = next + row.counts[split_links++]; next < end; ++next, ++at)
+          table.senders[at] = row.senders[next], table.factors[at] = row.factors[next], ways[at] = row.ways[next];
+      }
     row = {};
-  }
+  });
   links = std::move(table);
 }
 

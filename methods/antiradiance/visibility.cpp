@@ -1,9 +1,11 @@
 #include "methods/antiradiance/visibility.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
-#include <numeric>
 #include <span>
+#include <vector>
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
@@ -65,40 +67,50 @@ void take_out_blocked(LinkTable& links) {
   links.factors.resize(kept);
 }
 
-/// Two elements, one of which sees the other.
-struct Sight {
-  std::uint32_t from, to;
+/// Elements joined to spaces by all threads at once (union-find with compare-and-swap, Anderson and Woll 1991). Roots are
+/// always the smallest of their space, so that what comes out does not depend on the order.
+class Spaces {
+ public:
+  explicit Spaces(std::size_t count) : parents_(count) {
+    for (std::uint32_t i = 0; i < count; ++i) parents_[i].store(i, std::memory_order_relaxed);
+  }
+
+  std::uint32_t root(std::uint32_t i) {
+    std::uint32_t parent = parents_[i].load(std::memory_order_relaxed);
+    while (parent != i) {
+      const std::uint32_t above = parents_[parent].load(std::memory_order_relaxed);
+      // Halves the path; should another thread have been faster, its parent is as good.
+      if (above != parent) parents_[i].compare_exchange_weak(parent, above, std::memory_order_relaxed);
+      i = above;
+      parent = parents_[i].load(std::memory_order_relaxed);
+    }
+    return i;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    while (true) {
+      const std::uint32_t x = root(a), y = root(b);
+      if (x == y) return;
+      std::uint32_t expected = std::max(x, y);
+      if (parents_[expected].compare_exchange_strong(expected, std::min(x, y), std::memory_order_relaxed)) return;
+    }
+  }
+
+ private:
+  std::vector<std::atomic<std::uint32_t>> parents_;
 };
 
-/// The sheets of what was hit: of a two-sided one both, as it is one surface to what lies behind.
-void add_sights(const World& world, const SamplingMesh& mesh, std::uint32_t element, const SurfaceSample& seen,
-                std::vector<Sight>& sights) {
-  const bool front = glm::dot(seen.normal, world.normal(seen.triangle)) >= 0.0F;
-  for (const bool side : {true, false}) {
-    if (!mesh.covers(seen.triangle, side) || (side != front && mesh.covers(seen.triangle, front))) continue;
-    const std::uint32_t other = mesh.triangles()[mesh.locate(seen.triangle, seen.barycentrics, side).triangle].corners[0];
-    if (sights.empty() || sights.back().from != element || sights.back().to != other) sights.push_back({element, other});
-  }
-}
-
-/// Joined by sights and by the faces of the mesh (union-find by the smallest).
-std::vector<std::uint32_t> spaces_of(const SamplingMesh& mesh, std::size_t count, const std::vector<std::vector<Sight>>& sights) {
-  std::vector<std::uint32_t> parent(count);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t x = root(a), y = root(b);
-    parent[std::max(x, y)] = std::min(x, y);
-  };
-  for (const MeshFace& face : mesh.faces())
-    for (const std::uint32_t corner : face.corners) join(face.corners[0], corner);
-  for (const std::vector<Sight>& some : sights)
-    for (const Sight& sight : some) join(sight.from, sight.to);
-  for (std::uint32_t i = 0; i < count; ++i) parent[i] = root(i);
-  return parent;
+/// One element of the front of every scene triangle, and one of its back, or of the other side where a side has none; the
+/// mesh's faces join it with all others there.
+std::vector<std::array<std::uint32_t, 2>> element_of_sides(const World& world, const SamplingMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 2>> result(world.scene().triangles.size(), {no_element, no_element});
+  for (std::uint32_t triangle = 0; triangle < result.size(); ++triangle)
+    for (const bool front : {true, false}) {
+      const bool side = mesh.covers(triangle, front) ? front : !front;
+      if (mesh.covers(triangle, side))
+        result[triangle][front ? 0 : 1] = mesh.triangles()[mesh.locate(triangle, Vec2(1.0F / 3.0F), side).triangle].corners[0];
+    }
+  return result;
 }
 
 }  // namespace
@@ -118,7 +130,10 @@ void trace_links(const World& world, const Elements& elements, const Hierarchy& 
 Surroundings look_around(const World& world, const SamplingMesh& mesh, const Elements& elements, int rays, Task& task) {
   Surroundings found;
   found.closed.assign(elements.size(), 0.0F);
-  std::vector<std::vector<Sight>> sights(chunk_count(elements.size(), element_chunk));
+  Spaces spaces(elements.size());
+  for (const MeshFace& face : mesh.faces())
+    for (const std::uint32_t corner : face.corners) spaces.join(face.corners[0], corner);
+  const std::vector<std::array<std::uint32_t, 2>> sides = element_of_sides(world, mesh);
   task.parallel_chunks(elements.size(), element_chunk, [&](const ChunkRange& range) {
     RayStream stream = task.rays(world);
     for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -139,12 +154,15 @@ Surroundings look_around(const World& world, const SamplingMesh& mesh, const Ele
         if (!hit) continue;
         const SurfaceSample seen = world.sample_of_hit(hit, direction);
         if (seen.lit_side) ++closed;
-        add_sights(world, mesh, element, seen, sights[range.chunk]);
+        const bool front = glm::dot(seen.normal, world.normal(seen.triangle)) >= 0.0F;
+        const std::uint32_t met = sides[seen.triangle][front ? 0 : 1];
+        if (met != no_element) spaces.join(element, met);
       }
       found.closed[i] = tried > 0 ? static_cast<float>(closed) / static_cast<float>(tried) : 0.0F;
     }
   });
-  found.space = spaces_of(mesh, elements.size(), sights);
+  found.space.resize(elements.size());
+  for (std::uint32_t i = 0; i < elements.size(); ++i) found.space[i] = spaces.root(i);
   return found;
 }
 
