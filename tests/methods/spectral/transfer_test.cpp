@@ -175,65 +175,6 @@ TEST(SpectralTransfer, NothingPassesAThinWall) {
   }
 }
 
-TEST(SpectralTransfer, MatrixEqualsItsRows) {
-  TransferMatrix matrix({0.5F, 0.25F, 1.0F, 0.125F, 1, 1, 1, 1, 1, 1}, std::vector<float>(10, 0.0F));
-  TransferMatrix::Block block(matrix);
-  const std::vector<std::vector<float>> rows{
-      {1.0F, 0.1F, -3.0F, 0.0F, 0, 0, 0, 0, 0, 2.0F}, std::vector<float>(10, 0.0F), {0.6F, 0.3F, 0.4F, 0.3F, 1, 2, 3, 4, 5, 6}};
-  const std::vector<std::vector<float>> rounded{
-      {1.0F, 0.0F, -3.0F, 0.0F, 0, 0, 0, 0, 0, 2.0F}, std::vector<float>(10, 0.0F), {0.5F, 0.25F, 0.0F, 0.25F, 1, 2, 3, 4, 5, 6}};
-  for (const auto& row : rows) block.add_row(row);
-  matrix.append(block);
-  EXPECT_EQ(matrix.rows(), 3U);
-  EXPECT_EQ(matrix.coefficients(), 3U + 0U + 9U);
-  std::vector<Rgb4> light;
-  for (int c = 0; c < 10; ++c) light.emplace_back(Rgb(static_cast<float>(c + 1), 1.0F, static_cast<float>(c * c)));
-  std::vector<Rgb4> answer(3);
-  Task task;
-  matrix.multiply(light, answer, task);
-  for (std::size_t r = 0; r < 3; ++r) {
-    Rgb expected;
-    std::vector<double> dense(10, 0.0);
-    for (std::size_t c = 0; c < 10; ++c) expected += Rgb(light[c]) * rounded[r][c];
-    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(Rgb(answer[r])[channel], expected[channel], 1e-4F);
-    matrix.add_row_to(r, 2.0F, dense);
-    for (std::size_t c = 0; c < 10; ++c) EXPECT_NEAR(dense[c], 2.0 * static_cast<double>(rounded[r][c]), 1e-6);
-  }
-}
-
-TEST(SpectralTransfer, RoundingKeepsARowsAnswerToConstantLight) {
-  const std::vector<float> constant{2.0F, 0.0F, 3.0F, 0.0F, 1.0F};
-  TransferMatrix matrix(std::vector<float>(5, 0.1F), constant);
-  TransferMatrix::Block block(matrix);
-  RandomStream random(1, 1, 1);
-  std::vector<float> expected;
-  for (int i = 0; i < 100; ++i) {
-    std::vector<float> row(5);
-    for (float& value : row) value = random.next_float();
-    expected.push_back(2.0F * row[0] + 3.0F * row[2] + row[4]);
-    block.add_row(row);
-  }
-  matrix.append(block);
-  std::vector<Rgb4> light, answer(100);
-  for (const float c : constant) light.emplace_back(Rgb(c));
-  Task task;
-  matrix.multiply(light, answer, task);
-  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(answer[i].r, expected[i], 0.5F * 0.1F + 1e-4F);
-}
-
-TEST(SpectralTransfer, ValuesBeyondSixteenBitsAreHeldAtTheirEnds) {
-  TransferMatrix matrix({1.0F}, {0.0F});
-  TransferMatrix::Block block(matrix);
-  block.add_row(std::vector<float>{1e9F});
-  block.add_row(std::vector<float>{-1e9F});
-  matrix.append(block);
-  std::vector<Rgb4> light{Rgb(1.0F)}, answer(2);
-  Task task;
-  matrix.multiply(light, answer, task);
-  EXPECT_EQ(answer[0].r, 32767.0F);
-  EXPECT_EQ(answer[1].r, -32767.0F);
-}
-
 /// Light that comes from the room's ceiling alone, gathered at the block's top with each harmonic as weight.
 TEST(SpectralTransfer, HarmonicSlicesAreMomentsOfTheArrivingLight) {
   TransferWish wish;
@@ -271,7 +212,7 @@ TEST(SpectralTransfer, OnlyWhatIsWishedForIsMade) {
   EXPECT_TRUE(room.transfer().all_bounces.empty());
   EXPECT_EQ(room.task.counters()["glossy_vertices"], 0U);
   // The rays of the vertices, those of the pilot rows with two others each, and those that place the lights tried out.
-  EXPECT_LE(room.task.counters()["closest_hit_rays"], 16U * (room.slots() + 3U * 256U) + 12U);
+  EXPECT_LE(room.task.counters()["closest_hit_rays"], 16U * (room.slots() + 3U * 256U) + 48U);
 }
 
 }  // namespace
