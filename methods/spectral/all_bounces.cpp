@@ -47,7 +47,7 @@ bool is_grey(std::span<const Rgb4> reflectance) {
 
 std::vector<TransferMatrix> all_bounces(const SpectralBasis& basis, const TransferMatrix& one_bounce,
                                         std::span<const Rgb4> reflectance, std::span<const double> areas, int most_bounces,
-                                        const std::vector<std::vector<Rgb4>>& lights, double compression_error, Task& task) {
+                                        const TrialLights& lights, double compression_error, Task& task) {
   const std::size_t columns = basis.columns(), rows = basis.slots();
   std::vector<TransferMatrix> result;
   const int channels = is_grey(reflectance) ? 1 : 3;

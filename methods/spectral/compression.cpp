@@ -7,7 +7,7 @@ namespace gibench::spectral {
 
 namespace {
 
-constexpr std::size_t most_pilots = 32;  // blocks
+constexpr std::size_t most_pilots = 64;  // blocks
 constexpr int halvings = 20;
 constexpr double lowest_threshold = 1e-8;  // of the one that leaves out everything
 constexpr double least_spread = 1e-3;      // of the largest: no function is taken to carry nothing
@@ -57,45 +57,58 @@ std::vector<float> spread_of_columns(const SpectralBasis& basis, const std::vect
 
 using Answers = std::vector<std::vector<Rgb4>>;  // one a light and row
 
-/// The pilots' answers through a matrix of just those rows.
-template <class RowsOf>
-Answers answers(std::span<const PilotBlock> pilots, const RowsOf& rows_of, const Truncation& truncation,
-                const std::vector<float>& constant, const std::vector<std::vector<Rgb4>>& lights, Task& task) {
-  TransferMatrix matrix(truncation, constant);
-  TransferMatrix::Section section(matrix);
-  for (const PilotBlock& pilot : pilots) section.add_block(rows_of(pilot));
-  matrix.append(section);
-  Answers result;
-  for (const std::vector<Rgb4>& light : lights) matrix.multiply(light, result.emplace_back(matrix.rows()), task);
-  return result;
+/// What a pilot's rows truly are, twice.
+std::span<const float> truth(const PilotBlock& pilot, std::size_t which) {
+  return pilot.others[which].empty() ? pilot.rows : pilot.others[which];
 }
 
-/// The pilots without truncation, and by other rays.
-struct Judge {
-  Answers whole, others[2];
-  std::vector<double> areas;
+/// The pilots, and the lights that they are asked about.
+class Trial {
+ public:
+  Trial(std::span<const PilotBlock> pilots, const std::vector<std::vector<Rgb4>>& lights, std::vector<float> constant, Task& task)
+      : pilots_(pilots), lights_(lights), constant_(std::move(constant)), task_(task) {
+    for (std::size_t which = 0; which < 2; ++which) whole_[which] = answers(which, {});
+    for (const PilotBlock& pilot : pilots) areas_.insert(areas_.end(), pilot.areas.begin(), pilot.areas.end());
+  }
 
-  /// What truncation adds to the squared error of the answers to a light, as a share of their squares: of the light that it
-  /// hurts most.
-  double added_error(const Answers& truncated) const {
-    double worst = 0.0;
-    for (std::size_t light = 0; light < whole.size(); ++light) {
-      RgbDouble squares, added;
-      for (std::size_t row = 0; row < areas.size(); ++row) {
-        const RgbDouble own(Rgb(whole[light][row]));
-        const RgbDouble off = RgbDouble(Rgb(truncated[light][row])) - own;
-        // (x − A)(x − B) of the truncated answer less that of the answer itself.
-        RgbDouble doubted = off;
-        for (const Answers& other : others)
-          if (!other.empty()) doubted += own - RgbDouble(Rgb(other[light][row]));
-        squares += areas[row] * (own * own);
-        added += areas[row] * (off * doubted);
+  /// How much truncation changes the answers, root mean square over lights.
+  double change(const Truncation& truncation) const {
+    const Answers truncated[2] = {answers(0, truncation), answers(1, truncation)};
+    double sum = 0.0;
+    int counted = 0;  // lights that reach anything
+    for (std::size_t light = 0; light < lights_.size(); ++light) {
+      RgbDouble squares, changes;
+      for (std::size_t row = 0; row < areas_.size(); ++row) {
+        const RgbDouble first(Rgb(whole_[0][light][row])), second(Rgb(whole_[1][light][row]));
+        squares += areas_[row] * (first * second);
+        changes += areas_[row] *
+                   ((RgbDouble(Rgb(truncated[0][light][row])) - first) * (RgbDouble(Rgb(truncated[1][light][row])) - second));
       }
       for (int c = 0; c < 3; ++c)
-        if (squares[c] > 0.0) worst = std::max(worst, added[c] / squares[c]);
+        if (squares[c] > 0.0) sum += changes[c] / squares[c], ++counted;
     }
-    return std::sqrt(worst);
+    return counted > 0 ? std::sqrt(std::max(0.0, sum / counted)) : 0.0;
   }
+
+ private:
+  /// Through a matrix of the pilots alone; truncated as their rows are.
+  Answers answers(std::size_t which, const Truncation& truncation) const {
+    TransferMatrix matrix(truncation, constant_);
+    TransferMatrix::Section section(matrix);
+    for (const PilotBlock& pilot : pilots_)
+      section.add_block(truth(pilot, which), truncation.importance.empty() ? truth(pilot, which) : pilot.rows);
+    matrix.append(section);
+    Answers result;
+    for (const std::vector<Rgb4>& light : lights_) matrix.multiply(light, result.emplace_back(matrix.rows()), task_);
+    return result;
+  }
+
+  std::span<const PilotBlock> pilots_;
+  const std::vector<std::vector<Rgb4>>& lights_;
+  std::vector<float> constant_;
+  Task& task_;
+  Answers whole_[2];
+  std::vector<double> areas_;
 };
 
 double threshold_that_drops_all(std::span<const PilotBlock> pilots, const std::vector<float>& importance) {
@@ -115,25 +128,15 @@ std::vector<std::size_t> pilot_blocks(std::size_t blocks) {
   return chosen;
 }
 
-Truncation choose_truncation(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights,
-                             std::span<const PilotBlock> pilots, double error, Task& task) {
-  const std::vector<float> constant = basis.constant();
-  Truncation truncation{spread_of_columns(basis, lights), 0.0F};
-  Judge judge;
-  judge.whole = answers(
-      pilots, [](const PilotBlock& pilot) { return std::span(pilot.rows); }, {}, constant, lights, task);
-  for (std::size_t i = 0; i < 2; ++i)
-    if (!pilots.empty() && !pilots.front().others[i].empty())
-      judge.others[i] = answers(
-          pilots, [i](const PilotBlock& pilot) { return std::span(pilot.others[i]); }, {}, constant, lights, task);
-  for (const PilotBlock& pilot : pilots) judge.areas.insert(judge.areas.end(), pilot.areas.begin(), pilot.areas.end());
+Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
+                             double error, Task& task) {
+  Truncation truncation{spread_of_columns(basis, lights.usual), 0.0F};
+  const Trial trial(pilots, lights.judges, basis.constant(), task);
   double high = threshold_that_drops_all(pilots, truncation.importance), low = high * lowest_threshold;
   for (int i = 0; i < halvings && !task.cancelled(); ++i) {
     const double middle = std::sqrt(low * high);
     truncation.threshold = static_cast<float>(middle);
-    const Answers truncated = answers(
-        pilots, [](const PilotBlock& pilot) { return std::span(pilot.rows); }, truncation, constant, lights, task);
-    (judge.added_error(truncated) > error ? high : low) = middle;
+    (trial.change(truncation) > error ? high : low) = middle;
   }
   truncation.threshold = static_cast<float>(low);
   return truncation;

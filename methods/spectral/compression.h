@@ -6,6 +6,7 @@
 
 #include "methods/spectral/basis.h"
 #include "methods/spectral/transfer_matrix.h"
+#include "methods/spectral/trial_lights.h"
 
 namespace gibench::spectral {
 
@@ -19,12 +20,12 @@ struct PilotBlock {
 /// The numbers of the blocks among `blocks` that are to be pilots, spread evenly.
 std::vector<std::size_t> pilot_blocks(std::size_t blocks);
 
-/// The truncation by which compression adds `error` to the error of the pilots' answers to a trial light, as a share of them
-/// (root of the mean square over area), to the worst of them. The squared error of x is (x − A)(x − B), A and B by independent
-/// rays: against the truth, so that dropping what is but the rays' noise adds nothing. Columns count by how much light they
-/// usually carry, the root mean square coefficient of functions of that order in their parts, or their own where that is more, so
-/// that what is left out adds about the same wherever it is.
-Truncation choose_truncation(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights,
-                             std::span<const PilotBlock> pilots, double error, Task& task);
+/// The truncation that changes the pilots' answers by `error` as a share of them: root of the mean over lights of the mean square
+/// over area. Judged by what it does to the truth: columns are those that the pilots' rows keep, and the mean square change of
+/// the true rows is that of one set of other rays times that of the other, so that dropping what is but the rays' noise costs
+/// nothing. Columns count by how much light they usually carry, the root mean square coefficient of functions of that order in
+/// their parts, or their own where that is more, so that what is left out counts the same wherever it is.
+Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
+                             double error, Task& task);
 
 }  // namespace gibench::spectral

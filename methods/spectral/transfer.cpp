@@ -16,6 +16,7 @@ namespace gibench::spectral {
 namespace {
 
 constexpr std::size_t rows_a_report = 256 * block_rows;  // vertices between two signs of progress
+constexpr int fewer_pilot_rays = 4;                      // times fewer, where rows are made again
 constexpr std::uint64_t pilot_stage = 0x70696c6f74ULL;
 
 class TransferMaker {
@@ -73,9 +74,9 @@ class TransferMaker {
 
   void make_matrices() {
     find_glossy_slots();
-    const VertexRays rays = rays_of(task_.seed());
+    const VertexRays rays = rays_of(task_.seed(), settings_.rays);
     Truncation truncation;
-    std::vector<std::vector<Rgb4>> lights;
+    TrialLights lights;
     if (settings_.compression_error > 0.0) {
       lights = trial_lights(world_, *transfer().mesh, transfer().basis, transfer().vertex_of_slot, wish_.occlusion, task_);
       truncation = choose_truncation(transfer().basis, with_ambient(lights, transfer().basis, ambient()), pilots(rays),
@@ -119,9 +120,8 @@ class TransferMaker {
     task_.count("glossy_vertices", transfer().glossy_slots.size());
   }
 
-  VertexRays rays_of(std::uint64_t seed) const {
-    return {world_, *making_.transfer.mesh, making_.transfer.interpolation, making_.transfer.slot_of_vertex, settings_.rays,
-            seed};
+  VertexRays rays_of(std::uint64_t seed, int rays) const {
+    return {world_, *making_.transfer.mesh, making_.transfer.interpolation, making_.transfer.slot_of_vertex, rays, seed};
   }
 
   double area_of(std::size_t slot) const {
@@ -130,8 +130,9 @@ class TransferMaker {
 
   std::vector<PilotBlock> pilots(const VertexRays& rays) {
     const std::size_t slots = transfer().basis.slots(), columns = transfer().basis.columns();
-    const VertexRays others[2] = {rays_of(mix_keys(task_.seed(), pilot_stage, 0)),
-                                  rays_of(mix_keys(task_.seed(), pilot_stage, 1))};
+    const int fewer = std::max(1, settings_.rays / fewer_pilot_rays);
+    const VertexRays others[2] = {rays_of(mix_keys(task_.seed(), pilot_stage, 0), fewer),
+                                  rays_of(mix_keys(task_.seed(), pilot_stage, 1), fewer)};
     const std::vector<std::size_t> chosen = pilot_blocks(chunk_count(slots, block_rows));
     std::vector<PilotBlock> pilots(chosen.size());
     task_.parallel_chunks(chosen.size(), 1, [&](const ChunkRange& range) {
@@ -208,7 +209,7 @@ class TransferMaker {
     return made;
   }
 
-  void fold_bounces(const std::vector<std::vector<Rgb4>>& lights) {
+  void fold_bounces(const TrialLights& lights) {
     std::vector<Rgb4> reflectance;
     std::vector<double> areas;
     for (const std::uint32_t vertex : transfer().vertex_of_slot) {

@@ -56,10 +56,11 @@ void TransferMatrix::Section::keep_columns(std::span<const float> rows, std::siz
   if (matrix_->rounded() && !constant_kept && best < columns) column_.push_back(static_cast<std::uint16_t>(best));
 }
 
-void TransferMatrix::Section::add_block(std::span<const float> rows) {
+void TransferMatrix::Section::add_block(std::span<const float> rows, std::span<const float> alike) {
   const std::size_t columns = matrix_->columns(), count = rows.size() / columns;
   GIBENCH_CHECK(count > 0 && count <= block_rows && rows.size() == count * columns, "a block has one to eight whole rows");
-  keep_columns(rows, count);
+  GIBENCH_CHECK(alike.size() == rows.size(), "rows that choose columns are as many");
+  keep_columns(alike, count);
   const std::span<const std::uint16_t> own = columns_of_block();
   std::vector<float> kept(own.size() * block_rows, 0.0F);
   for (std::size_t i = 0; i < own.size(); ++i)

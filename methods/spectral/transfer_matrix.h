@@ -42,7 +42,9 @@ class TransferMatrix {
    public:
     explicit Section(const TransferMatrix& matrix) : matrix_(&matrix) {}
     /// One to eight dense rows, one behind the other.
-    void add_block(std::span<const float> rows);
+    void add_block(std::span<const float> rows) { add_block(rows, rows); }
+    /// With the columns that the rows `alike` would keep, zeros or not.
+    void add_block(std::span<const float> rows, std::span<const float> alike);
 
    private:
     friend class TransferMatrix;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t light_stage = 0x747269616cULL, sky_stage = 0x736b79ULL;
 constexpr std::uint32_t sky_rays = 64;
-constexpr std::size_t light_triples = 16;  // and one of skies
+constexpr std::size_t usual_triples = 16, judge_triples = 8;
 constexpr std::size_t slot_chunk = 512;
 
 /// Halfway along a ray from a surface: somewhere in the open.
@@ -62,39 +62,49 @@ Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::ui
 
 }  // namespace
 
-std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
-                                            std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task) {
-  std::vector<std::vector<Rgb4>> lights;
+TrialLights trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
+                         std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task) {
   std::vector<double> area;
   for (const std::uint32_t vertex : vertex_of_slot) area.push_back(static_cast<double>(mesh.vertices()[vertex].area));
   std::vector<Rgb4> field(basis.slots());
-  for (std::size_t triple = 0; triple <= light_triples; ++triple) {
-    const bool skies = triple == light_triples;
-    std::array<Vec3, 3> places{};
-    if (!skies) {
-      RayStream rays = task.rays(world);
-      for (std::size_t i = 0; i < 3; ++i) places[i] = place_of_light(world, mesh, 3 * triple + i, rays, task.seed());
-    }
+  // `light(sample, vertex, rays)`: the irradiance.
+  const auto projected = [&](const auto& light) {
     task.parallel_chunks(field.size(), slot_chunk, [&](const ChunkRange& range) {
       RayStream rays = task.rays(world);
       for (std::size_t slot = range.begin; slot < range.end; ++slot) {
         const std::uint32_t vertex = vertex_of_slot[slot];
-        const SurfaceSample sample = mesh.sample(world, vertex, mesh.sites(vertex).front());
-        const float nearest = std::sqrt(mesh.vertices()[vertex].area);
-        const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, occlusion, rays); };
-        field[slot] = skies ? irradiance_from_sky(world, sample, vertex, occlusion, rays) : Rgb(from(0), from(1), from(2));
+        field[slot] = light(mesh.sample(world, vertex, mesh.sites(vertex).front()), vertex, rays);
       }
     });
     scale_to_unit_mean(field, area);
-    basis.project(field, lights.emplace_back(basis.columns()), task);
+    std::vector<Rgb4> coefficients(basis.columns());
+    basis.project(field, coefficients, task);
+    return coefficients;
+  };
+  TrialLights lights;
+  for (std::size_t triple = 0; triple < usual_triples + judge_triples; ++triple) {
+    RayStream placing = task.rays(world);
+    std::array<Vec3, 3> places{};
+    for (std::size_t i = 0; i < 3; ++i) places[i] = place_of_light(world, mesh, 3 * triple + i, placing, task.seed());
+    (triple < usual_triples ? lights.usual : lights.judges)
+        .push_back(projected([&](const SurfaceSample& sample, std::uint32_t vertex, RayStream& rays) {
+          const float nearest = std::sqrt(mesh.vertices()[vertex].area);
+          const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, occlusion, rays); };
+          return Rgb(from(0), from(1), from(2));
+        }));
   }
+  lights.judges.push_back(projected([&](const SurfaceSample& sample, std::uint32_t vertex, RayStream& rays) {
+    return irradiance_from_sky(world, sample, vertex, occlusion, rays);
+  }));
+  lights.usual.push_back(lights.judges.back());
   return lights;
 }
 
-std::vector<std::vector<Rgb4>> with_ambient(std::vector<std::vector<Rgb4>> lights, const SpectralBasis& basis, float ambient) {
+TrialLights with_ambient(TrialLights lights, const SpectralBasis& basis, float ambient) {
   const std::vector<float> constant = basis.constant();
-  for (std::vector<Rgb4>& light : lights)
-    for (std::size_t c = 0; c < light.size(); ++c) light[c] = Rgb(light[c]) + Rgb(ambient * constant[c]);
+  for (auto* set : {&lights.usual, &lights.judges})
+    for (std::vector<Rgb4>& light : *set)
+      for (std::size_t c = 0; c < light.size(); ++c) light[c] = Rgb(light[c]) + Rgb(ambient * constant[c]);
   return lights;
 }
 

@@ -211,8 +211,9 @@ TEST(SpectralTransfer, OnlyWhatIsWishedForIsMade) {
   EXPECT_TRUE(room.transfer().harmonic_slices.empty());
   EXPECT_TRUE(room.transfer().all_bounces.empty());
   EXPECT_EQ(room.task.counters()["glossy_vertices"], 0U);
-  // The rays of the vertices, those of the pilot rows with two others each, and those that place the lights tried out.
-  EXPECT_LE(room.task.counters()["closest_hit_rays"], 16U * (room.slots() + 3U * 256U) + 48U);
+  // The rays of the vertices, those of the pilots with a quarter for each of two others, and those that place the lights tried
+  // out.
+  EXPECT_LE(room.task.counters()["closest_hit_rays"], 16U * room.slots() + (16U + 2U * 4U) * 512U + 72U);
 }
 
 }  // namespace
