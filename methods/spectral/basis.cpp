@@ -40,15 +40,11 @@ void project_part(const SpectralBasis& basis, const SpectralBasis::Part& part, c
     for (std::uint32_t i = 0; i < count; ++i) weighted[i] = value_at(begin + i) * basis.weight()[begin + i];
     const std::span<const Rgb4> values = std::span(weighted).first(count);
     const float* functions = basis.row(part, begin).data();
-    std::size_t done = 0;
-    for (; done + 2 <= sums.size(); done += 2) add_tile<2>(functions + done * lane_count, part.width, values, &sums[done]);
-    if (done < sums.size()) add_tile<1>(functions + done * lane_count, part.width, values, &sums[done]);
+    std::size_t done = 0;  // as many functions at a time as there are registers for
+    for (; done + 4 <= sums.size(); done += 4) add_tile<4>(functions + done * lane_count, part.width, values, &sums[done]);
+    for (; done < sums.size(); ++done) add_tile<1>(functions + done * lane_count, part.width, values, &sums[done]);
   }
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const ColourLanes& sum = sums[c / lane_count];
-    const std::size_t lane = c % lane_count;
-    columns[c] = Rgb(sum.r[lane], sum.g[lane], sum.b[lane]);
-  }
+  for (std::size_t i = 0; i < sums.size(); ++i) store(sums[i], &columns[i * lane_count]);
 }
 
 std::string describe(const Partition& partition, std::size_t part) {

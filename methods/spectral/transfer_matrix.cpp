@@ -1,6 +1,7 @@
 #include "methods/spectral/transfer_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,12 +28,11 @@ ColourLanes block_sum(const Value* values, std::span<const std::uint16_t> column
   return even;
 }
 
-void store(const ColourLanes& colours, std::span<Rgb4> out) {
-  if (out.size() == block_rows) {  // known at compile time, the loop is unrolled
-    for (std::size_t i = 0; i < block_rows; ++i) out[i] = Rgb(colours.r[i], colours.g[i], colours.b[i]);
-  } else {
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = Rgb(colours.r[i], colours.g[i], colours.b[i]);
-  }
+void store_rows(const ColourLanes& colours, std::span<Rgb4> out) {
+  if (out.size() == block_rows) return store(colours, out.data());
+  std::array<Rgb4, block_rows> all;
+  store(colours, all.data());
+  std::copy_n(all.begin(), out.size(), out.begin());
 }
 
 }  // namespace
@@ -135,14 +135,10 @@ void TransferMatrix::multiply(std::span<const Rgb4> light, std::span<Rgb4> out, 
       const std::uint64_t begin = block_begin_[b], count = block_begin_[b + 1] - begin;
       const auto columns = std::span(column_).subspan(begin, count);
       const std::span<Rgb4> answers = out.subspan(first_row_[b], first_row_[b + 1] - first_row_[b]);
-      if (!rounded()) {
-        store(block_sum(exact_.data() + begin * block_rows, columns, scaled.data()), answers);
-        continue;
-      }
-      ColourLanes sum = block_sum(quantised_.data() + begin * block_rows, columns, scaled.data());
-      const Lanes scale = load(row_scale_.data() + b * block_rows);
-      sum.r *= scale, sum.g *= scale, sum.b *= scale;
-      store(sum, answers);
+      ColourLanes sum = rounded() ? block_sum(quantised_.data() + begin * block_rows, columns, scaled.data())
+                                  : block_sum(exact_.data() + begin * block_rows, columns, scaled.data());
+      if (rounded()) sum *= load(row_scale_.data() + b * block_rows);
+      store_rows(sum, answers);
     }
   });
 }
