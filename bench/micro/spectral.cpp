@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -119,15 +120,20 @@ BENCHMARK(compression)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 
-/// The window room with 31 000 vertices and 1024 functions; few rays, which the product's shape hardly depends on.
+/// The window room with 30 000 vertices and 1024 functions; few rays, which the product's shape hardly depends on.
 struct Room {
   World world{window_room()};
   Task task;
-  TransferMaking made = make_transfer(
-      world, settings({{"vertices", wanted_vertices}, {"rays", "1024"}, {"compression_error", "0.02"}}), wish_of(world), task);
+  TransferMaking made;
   std::vector<Rgb4> direct, reflectance, light;
 
-  Room() {
+  /// `thousandths`: that compression may add.
+  explicit Room(std::int64_t thousandths)
+      : made(make_transfer(world,
+                           settings({{"vertices", wanted_vertices},
+                                     {"rays", "1024"},
+                                     {"compression_error", std::to_string(1e-3 * static_cast<double>(thousandths))}}),
+                           wish_of(world), task)) {
     GIBENCH_CHECK(succeeded(made.termination), "it was not made");
     RandomStream random(1, 2, 3);
     for (std::uint32_t slot = 0; slot < made.transfer.basis.slots(); ++slot) {
@@ -138,38 +144,58 @@ struct Room {
   }
   const TransferMatrix& matrix() const { return made.transfer.one_bounce; }
 };
-Room& room() {
-  static Room made;
-  return made;
+const Room& room(std::int64_t thousandths) {
+  static std::map<std::int64_t, Room> rooms;
+  return rooms.try_emplace(thousandths, thousandths).first->second;
 }
 
-void count_room(benchmark::State& state) {
-  state.counters["vertices"] = static_cast<double>(room().direct.size());
-  state.counters["functions"] = static_cast<double>(room().made.transfer.basis.functions());
+void count_room(benchmark::State& state, const Room& room) {
+  state.counters["vertices"] = static_cast<double>(room.direct.size());
+  state.counters["functions"] = static_cast<double>(room.made.transfer.basis.functions());
   state.counters["coefficients_per_vertex"] =
-      static_cast<double>(room().matrix().coefficients()) / static_cast<double>(room().direct.size());
-  state.counters["matrix_bytes"] = static_cast<double>(room().matrix().bytes());
+      static_cast<double>(room.matrix().coefficients()) / static_cast<double>(room.direct.size());
+  state.counters["matrix_bytes"] = static_cast<double>(room.matrix().bytes());
 }
 
 /// Project, bounce three times, reconstruct at all vertices. `bytes_per_second`: matrix and basis, read once a bounce.
 void relit_frame(benchmark::State& state) {
-  Task task({.seed = 1, .threads = static_cast<int>(state.range(0)), .cancel = {}, .on_progress = {}});
+  const Room& made = room(state.range(0));
+  Task task({.seed = 1, .threads = static_cast<int>(state.range(1)), .cancel = {}, .on_progress = {}});
   constexpr int bounces = 3;
-  room();
   for (auto _ : state) {
-    const Relit relit = relight(room().made.transfer, room().direct, room().reflectance,
-                                {.planned = bounces, .most = bounces, .residual = 1e-9}, task);
+    const Relit relit =
+        relight(made.made.transfer, made.direct, made.reflectance, {.planned = bounces, .most = bounces, .residual = 1e-9}, task);
     benchmark::DoNotOptimize(relit.irradiance.data());
   }
-  const auto bytes = static_cast<std::int64_t>(room().matrix().bytes() + room().made.transfer.basis.bytes());
+  const auto bytes = static_cast<std::int64_t>(made.matrix().bytes() + made.made.transfer.basis.bytes());
   state.SetBytesProcessed(bounces * bytes * static_cast<std::int64_t>(state.iterations()));
-  count_room(state);
+  state.counters["frames_per_second"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  count_room(state, made);
 }
-BENCHMARK(relit_frame)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(relit_frame)
+    ->ArgsProduct({{10, 20}, {1, 2}})
+    ->ArgNames({"thousandths", "threads"})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// The projection alone. `bytes_per_second`: the basis, read once.
+void projection(benchmark::State& state) {
+  const Room& made = room(20);
+  Task task({.seed = 1, .threads = static_cast<int>(state.range(0)), .cancel = {}, .on_progress = {}});
+  const SpectralBasis& basis = made.made.transfer.basis;
+  std::vector<Rgb4> light(basis.columns()), indirect(basis.slots());
+  for (auto _ : state) {
+    basis.project_reflected(made.reflectance, made.direct, indirect, light, task);
+    benchmark::DoNotOptimize(light.data());
+  }
+  state.SetBytesProcessed(static_cast<std::int64_t>(basis.bytes()) * static_cast<std::int64_t>(state.iterations()));
+}
+BENCHMARK(projection)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// The product alone and Eigen's of the same matrix in 32-bit floats, in turn, each on one thread; and a copy of as many bytes.
 void product_over_eigen(benchmark::State& state) {
-  const TransferMatrix& matrix = room().matrix();
+  const Room& made = room(state.range(0));
+  const TransferMatrix& matrix = made.matrix();
   const auto rows = static_cast<Eigen::Index>(matrix.rows()), columns = static_cast<Eigen::Index>(matrix.columns());
   Eigen::SparseMatrix<float, Eigen::RowMajor> sparse(rows, columns);
   std::vector<Eigen::Triplet<float>> entries;
@@ -186,7 +212,7 @@ void product_over_eigen(benchmark::State& state) {
   Eigen::Matrix<float, Eigen::Dynamic, 3> light(columns, 3), answer(rows, 3);
   Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> light_by_row, answer_by_row(rows, 3);
   for (Eigen::Index c = 0; c < columns; ++c) {
-    const Rgb value = room().light[static_cast<std::size_t>(c)];
+    const Rgb value = made.light[static_cast<std::size_t>(c)];
     light.row(c) << value.r, value.g, value.b;
   }
   light_by_row = light;
@@ -201,10 +227,10 @@ void product_over_eigen(benchmark::State& state) {
   };
   std::vector<double> ratios, by_row_ratios, seconds, copies;
   for (auto _ : state) {
-    const double own = timed([&] { matrix.multiply(room().light, out, task); });
+    const double own = timed([&] { matrix.multiply(made.light, out, task); });
     const double eigen = timed([&] { answer.noalias() = sparse * light; });
     const double by_row = timed([&] { answer_by_row.noalias() = sparse * light_by_row; });
-    const double again = timed([&] { matrix.multiply(room().light, out, task); });
+    const double again = timed([&] { matrix.multiply(made.light, out, task); });
     copies.push_back(timed([&] { std::memcpy(to.data(), from.data(), from.size()); }));
     seconds.push_back(0.5 * (own + again));
     ratios.push_back(eigen / seconds.back());
@@ -218,9 +244,9 @@ void product_over_eigen(benchmark::State& state) {
   state.counters["eigen_by_row_over_own"] = median(by_row_ratios);
   state.counters["bytes_per_second"] = static_cast<double>(matrix.bytes()) / median(seconds);
   state.counters["copied_bytes_per_second"] = 2.0 * static_cast<double>(matrix.bytes()) / median(copies);
-  count_room(state);
+  count_room(state, made);
 }
-BENCHMARK(product_over_eigen)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(product_over_eigen)->Arg(10)->Arg(20)->ArgName("thousandths")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace gibench::micro

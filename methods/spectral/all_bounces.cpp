@@ -11,7 +11,6 @@ namespace gibench::spectral {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-constexpr std::size_t row_chunk = 64, pilot_rows = 256;
 
 /// B, a part's rows after another's.
 Matrix basis_to_basis(const SpectralBasis& basis, const TransferMatrix& one_bounce, std::span<const Rgb4> reflectance,
@@ -48,7 +47,7 @@ bool is_grey(std::span<const Rgb4> reflectance) {
 
 std::vector<TransferMatrix> all_bounces(const SpectralBasis& basis, const TransferMatrix& one_bounce,
                                         std::span<const Rgb4> reflectance, std::span<const double> areas, int most_bounces,
-                                        const std::vector<std::vector<Rgb4>>& lights, double compression_error, Task& task) {
+                                        const TrialLights& lights, double compression_error, Task& task) {
   const std::size_t columns = basis.columns(), rows = basis.slots();
   std::vector<TransferMatrix> result;
   const int channels = is_grey(reflectance) ? 1 : 3;
@@ -62,28 +61,30 @@ std::vector<TransferMatrix> all_bounces(const SpectralBasis& basis, const Transf
         if (sparse[c] != 0.0) sum += sparse[c] * folded.row(static_cast<Eigen::Index>(c));
       for (std::size_t c = 0; c < columns; ++c) values[c] = static_cast<float>(sum[static_cast<Eigen::Index>(c)]);
     };
-    std::vector<float> steps;
+    const auto dense_block = [&](std::size_t begin) {
+      std::vector<float> values((std::min(rows, begin + block_rows) - begin) * columns);
+      for (std::size_t i = 0; i * columns < values.size(); ++i)
+        dense_row(begin + i, std::span(values).subspan(i * columns, columns));
+      return values;
+    };
+    Truncation truncation;
     if (compression_error > 0.0) {
-      std::vector<PilotRow> pilot(std::min(pilot_rows, rows));
-      for (std::size_t i = 0; i < pilot.size(); ++i) {
-        const std::size_t row = (2 * i + 1) * rows / (2 * pilot.size());
-        pilot[i] = {std::vector<float>(columns), {}, areas[row]};
-        dense_row(row, pilot[i].values);
+      std::vector<PilotBlock> pilots;
+      for (const std::size_t block : pilot_blocks(chunk_count(rows, block_rows))) {
+        PilotBlock& pilot = pilots.emplace_back(PilotBlock{dense_block(block * block_rows), {}, {}});
+        const auto first = areas.begin() + static_cast<std::ptrdiff_t>(block * block_rows);
+        pilot.areas.assign(first, first + static_cast<std::ptrdiff_t>(pilot.rows.size() / columns));
       }
-      steps = choose_steps(basis, lights, pilot, compression_error);
+      truncation = choose_truncation(basis, lights, pilots, compression_error, task);
     }
-    TransferMatrix& matrix = result.emplace_back(steps, basis.constant());
-    std::vector<std::unique_ptr<TransferMatrix::Block>> blocks(chunk_count(rows, row_chunk));
-    task.parallel_chunks(rows, row_chunk, [&](const ChunkRange& range) {
-      auto& block = blocks[range.chunk] = std::make_unique<TransferMatrix::Block>(matrix);
-      std::vector<float> values(columns);
-      for (std::size_t row = range.begin; row < range.end; ++row) {
-        dense_row(row, values);
-        block->add_row(values);
-      }
+    TransferMatrix& matrix = result.emplace_back(truncation, basis.constant());
+    std::vector<std::unique_ptr<TransferMatrix::Section>> sections(chunk_count(rows, block_rows));
+    task.parallel_chunks(rows, block_rows, [&](const ChunkRange& range) {
+      auto& section = sections[range.chunk] = std::make_unique<TransferMatrix::Section>(matrix);
+      section->add_block(dense_block(range.begin));
     });
-    for (const auto& block : blocks)
-      if (block) matrix.append(*block);
+    for (const auto& section : sections)
+      if (section) matrix.append(*section);
   }
   return result;
 }

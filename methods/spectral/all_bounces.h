@@ -6,6 +6,7 @@
 
 #include "methods/spectral/basis.h"
 #include "methods/spectral/transfer_matrix.h"
+#include "methods/spectral/trial_lights.h"
 
 namespace gibench::spectral {
 
@@ -15,6 +16,6 @@ namespace gibench::spectral {
 /// its own.
 std::vector<TransferMatrix> all_bounces(const SpectralBasis& basis, const TransferMatrix& one_bounce,
                                         std::span<const Rgb4> reflectance, std::span<const double> areas, int most_bounces,
-                                        const std::vector<std::vector<Rgb4>>& lights, double compression_error, Task& task);
+                                        const TrialLights& lights, double compression_error, Task& task);
 
 }  // namespace gibench::spectral

@@ -39,6 +39,10 @@ class SpectralBasis {
 
   /// ⟨f, s_ℓ⟩ for every column; `values` one a slot, `coefficients` one a column.
   void project(std::span<const Rgb4> values, std::span<Rgb4> coefficients, Task& task) const;
+  /// The same of the light that surfaces reflect, `reflectance` (direct + indirect), each one a slot, without that ever being
+  /// stored.
+  void project_reflected(std::span<const Rgb4> reflectance, std::span<const Rgb4> direct, std::span<const Rgb4> indirect,
+                         std::span<Rgb4> coefficients, Task& task) const;
   /// Σ_ℓ c_ℓ s_ℓ at every slot.
   void reconstruct(std::span<const Rgb4> coefficients, std::span<Rgb4> values, Task& task) const;
 

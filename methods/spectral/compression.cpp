@@ -3,193 +3,143 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/core/random.h"
-#include "common/core/sampling.h"
-#include "common/core/sobol.h"
-
 namespace gibench::spectral {
 
 namespace {
 
-constexpr std::uint64_t light_stage = 0x747269616cULL, sky_stage = 0x736b79ULL;
-constexpr std::uint32_t sky_rays = 64;
-constexpr std::size_t light_triples = 4;  // and one of skies
-constexpr std::size_t slot_chunk = 512;
-constexpr int halvings = 24;
-constexpr double most_levels = 16000.0;  // of 32767: rows to come may hold larger values than the pilot's
-constexpr double least_spread = 1e-3;    // of the largest: no function is taken to carry nothing
+constexpr std::size_t most_pilots = 64;  // blocks
+constexpr int halvings = 20;
+constexpr double lowest_threshold = 1e-8;  // of the one that leaves out everything
+constexpr double least_spread = 1e-3;      // of the largest: no function is taken to carry nothing
 
-/// Halfway along a ray from a surface: somewhere in the open.
-Vec3 place_of_light(const World& world, const SamplingMesh& mesh, std::uint64_t number, RayStream& rays, std::uint64_t seed) {
-  RandomStream random(seed, light_stage, number);
-  const auto vertices = static_cast<double>(mesh.vertices().size());
-  const auto vertex = static_cast<std::uint32_t>(random.next_double() * vertices);
-  const SurfaceSample from = mesh.sample(world, vertex, mesh.sites(vertex).front());
-  const Vec3 direction = Frame(from.normal).to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
-  const Hit hit = rays.closest_hit({world.ray_origin(from), 0.0F, direction});
-  return from.position + (0.5F * (hit ? hit.distance : 0.5F * world.diagonal())) * direction;
+double squared(const Rgb4& c) {
+  const auto r = static_cast<double>(c.r), g = static_cast<double>(c.g), b = static_cast<double>(c.b);
+  return r * r + g * g + b * b;
 }
 
-float irradiance_from(const Vec3& light, const World& world, const SurfaceSample& sample, float nearest, bool occlusion,
-                      RayStream& rays) {
-  const Vec3 origin = world.ray_origin(sample), toward = light - origin;
-  const float squared = std::max(glm::dot(toward, toward), nearest * nearest);
-  const float cosine = glm::dot(toward, sample.normal) / std::sqrt(squared);
-  if (!(cosine > 0.0F) || (occlusion && rays.occluded({origin, 0.0F, toward, 1.0F}))) return 0.0F;
-  return cosine / squared;
+/// Mean square of every column's coefficients over the lights.
+std::vector<double> mean_squares(const std::vector<std::vector<Rgb4>>& lights, std::size_t columns) {
+  std::vector<double> squares(columns, 0.0);
+  for (const std::vector<Rgb4>& light : lights)
+    for (std::size_t c = 0; c < columns; ++c) squares[c] += squared(light[c]) / (3.0 * static_cast<double>(lights.size()));
+  return squares;
 }
 
-void scale_to_unit_mean(std::span<Rgb4> field, std::span<const double> area) {
-  RgbDouble sum;
-  double total = 0.0;
-  for (std::size_t i = 0; i < field.size(); ++i) sum += RgbDouble(Rgb(field[i])) * area[i], total += area[i];
-  const auto factor = [&](double s) { return s > 0.0 ? static_cast<float>(total / s) : 0.0F; };
-  const Rgb scale(factor(sum.r), factor(sum.g), factor(sum.b));
-  for (Rgb4& value : field) value = Rgb(value) * scale;
-}
-
-/// Root mean square of the coefficients by order in the part, over the part's weight, for every column.
-std::vector<double> spread_of_columns(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights) {
-  std::vector<double> part_weight, squares, weights;
+/// Root mean square of the coefficients, by order over all parts and over their weight; more in parts that a light is close to.
+std::vector<float> spread_of_columns(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights) {
+  const std::vector<double> own = mean_squares(lights, basis.columns());
+  std::vector<double> part_weight, usual, weights;  // the latter two by order
   for (const SpectralBasis::Part& part : basis.parts()) {
     double sum = 0.0;
     for (std::uint32_t slot = part.begin; slot < part.end; ++slot) sum += static_cast<double>(basis.weight()[slot]);
     part_weight.push_back(sum);
-    if (squares.size() < part.width) squares.resize(part.width, 0.0), weights.resize(part.width, 0.0);
+    if (usual.size() < part.width) usual.resize(part.width, 0.0), weights.resize(part.width, 0.0);
     for (std::uint32_t order = 0; order < part.functions; ++order) {
       weights[order] += sum;
-      for (const auto& light : lights) {
-        const RgbDouble c(Rgb(light[part.column + order]));
-        squares[order] += c.r * c.r + c.g * c.g + c.b * c.b;
-      }
+      usual[order] += own[part.column + order];
     }
   }
   double largest = 0.0;
-  for (std::size_t order = 0; order < squares.size(); ++order) {
-    squares[order] = weights[order] > 0.0 ? std::sqrt(squares[order] / weights[order]) : 0.0;
-    largest = std::max(largest, squares[order]);
+  for (std::size_t order = 0; order < usual.size(); ++order) {
+    usual[order] = weights[order] > 0.0 ? std::sqrt(usual[order] / weights[order]) : 0.0;
+    largest = std::max(largest, usual[order]);
   }
-  std::vector<double> spread(basis.columns(), 1.0);
+  std::vector<float> spread(basis.columns(), 1.0F);
   for (std::size_t p = 0; p < basis.parts().size(); ++p) {
     const SpectralBasis::Part& part = basis.parts()[p];
     for (std::uint32_t order = 0; order < part.width; ++order) {
-      const double usual = std::max({squares[order], least_spread * largest, 1e-30}) * std::sqrt(part_weight[p]);
-      double own = 0.0;  // more than usual in parts that a light is close to
-      for (const auto& light : lights) {
-        const RgbDouble c(Rgb(light[part.column + order]));
-        own += c.r * c.r + c.g * c.g + c.b * c.b;
-      }
-      spread[part.column + order] = std::max(usual, std::sqrt(own));
+      const double by_order = std::max({usual[order], least_spread * largest, 1e-30}) * std::sqrt(part_weight[p]);
+      spread[part.column + order] = static_cast<float>(std::max(by_order, std::sqrt(own[part.column + order])));
     }
   }
   return spread;
 }
 
-RgbDouble answer_to(const std::vector<Rgb4>& light, std::span<const float> row) {
-  RgbDouble sum;
-  for (std::size_t c = 0; c < row.size(); ++c) sum += RgbDouble(Rgb(light[c])) * static_cast<double>(row[c]);
-  return sum;
+using Answers = std::vector<std::vector<Rgb4>>;  // one a light and row
+
+/// What a pilot's rows truly are, twice.
+std::span<const float> truth(const PilotBlock& pilot, std::size_t which) {
+  return pilot.others[which].empty() ? pilot.rows : pilot.others[which];
 }
 
-/// What rounding adds to the squared error of the rows' answers to a light, as a share of their squares: of the light that it
-/// hurts most.
-double added_error(std::span<const PilotRow> rows, const std::vector<std::vector<Rgb4>>& lights, std::span<const float> steps) {
-  std::vector<RgbDouble> squares(lights.size()), added(lights.size());
-  std::vector<float> change(steps.size());
-  for (const PilotRow& row : rows) {
-    for (std::size_t c = 0; c < steps.size(); ++c)
-      change[c] = std::nearbyint(row.values[c] / steps[c]) * steps[c] - row.values[c];
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      const RgbDouble whole = answer_to(lights[i], row.values), off = answer_to(lights[i], change);
-      // (x − A)(x − B) of the rounded answer less that of the answer itself.
-      RgbDouble doubted = off;
-      for (const std::vector<float>& other : row.others)
-        if (!other.empty()) doubted += whole - answer_to(lights[i], other);
-      squares[i] += row.area * (whole * whole);
-      added[i] += row.area * (off * doubted);
+/// The pilots, and the lights that they are asked about.
+class Trial {
+ public:
+  Trial(std::span<const PilotBlock> pilots, const std::vector<std::vector<Rgb4>>& lights, std::vector<float> constant, Task& task)
+      : pilots_(pilots), lights_(lights), constant_(std::move(constant)), task_(task) {
+    for (std::size_t which = 0; which < 2; ++which) whole_[which] = answers(which, {});
+    for (const PilotBlock& pilot : pilots) areas_.insert(areas_.end(), pilot.areas.begin(), pilot.areas.end());
+  }
+
+  /// How much truncation changes the answers, root mean square over lights.
+  double change(const Truncation& truncation) const {
+    const Answers truncated[2] = {answers(0, truncation), answers(1, truncation)};
+    double sum = 0.0;
+    int counted = 0;  // lights that reach anything
+    for (std::size_t light = 0; light < lights_.size(); ++light) {
+      RgbDouble squares, changes;
+      for (std::size_t row = 0; row < areas_.size(); ++row) {
+        const RgbDouble first(Rgb(whole_[0][light][row])), second(Rgb(whole_[1][light][row]));
+        squares += areas_[row] * (first * second);
+        changes += areas_[row] *
+                   ((RgbDouble(Rgb(truncated[0][light][row])) - first) * (RgbDouble(Rgb(truncated[1][light][row])) - second));
+      }
+      for (int c = 0; c < 3; ++c)
+        if (squares[c] > 0.0) sum += changes[c] / squares[c], ++counted;
     }
+    return counted > 0 ? std::sqrt(std::max(0.0, sum / counted)) : 0.0;
   }
-  double worst = 0.0;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      if (squares[i][c] > 0.0) worst = std::max(worst, added[i][c] / squares[i][c]);
-  return std::sqrt(worst);
-}
 
-/// What a sky of three kinds brings to a point: all round, from above, and from one side.
-Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::uint32_t vertex, bool occlusion, RayStream& rays) {
-  const Frame frame(sample.normal);
-  const SobolSequence directions(mix_keys(sky_stage, vertex));
-  Rgb sum;
-  for (std::uint32_t i = 0; i < sky_rays; ++i) {
-    const Vec3 direction = frame.to_world(cosine_hemisphere(directions.pair(i, 0).unit()));
-    const Ray ray{world.ray_origin(sample), 0.0F, direction};
-    // Where nothing hides anything the ray asks which wall it meets, not whether it is free.
-    if (occlusion ? rays.occluded(ray) : static_cast<bool>(rays.closest_hit(ray))) continue;
-    sum += Rgb(1.0F, direction.y > 0.0F ? 1.0F : 0.0F, direction.x + direction.z > 0.0F ? 1.0F : 0.0F);
+ private:
+  /// Through a matrix of the pilots alone; truncated as their rows are.
+  Answers answers(std::size_t which, const Truncation& truncation) const {
+    TransferMatrix matrix(truncation, constant_);
+    TransferMatrix::Section section(matrix);
+    for (const PilotBlock& pilot : pilots_)
+      section.add_block(truth(pilot, which), truncation.importance.empty() ? truth(pilot, which) : pilot.rows);
+    matrix.append(section);
+    Answers result;
+    for (const std::vector<Rgb4>& light : lights_) matrix.multiply(light, result.emplace_back(matrix.rows()), task_);
+    return result;
   }
-  return sum;
+
+  std::span<const PilotBlock> pilots_;
+  const std::vector<std::vector<Rgb4>>& lights_;
+  std::vector<float> constant_;
+  Task& task_;
+  Answers whole_[2];
+  std::vector<double> areas_;
+};
+
+double threshold_that_drops_all(std::span<const PilotBlock> pilots, const std::vector<float>& importance) {
+  double largest = 1e-30;
+  for (const PilotBlock& pilot : pilots)
+    for (std::size_t i = 0; i < pilot.rows.size(); ++i)
+      largest = std::max(largest, static_cast<double>(std::fabs(pilot.rows[i]) * importance[i % importance.size()]));
+  return 2.0 * largest;
 }
 
 }  // namespace
 
-std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
-                                            std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task) {
-  std::vector<std::vector<Rgb4>> lights;
-  std::vector<double> area;
-  for (const std::uint32_t vertex : vertex_of_slot) area.push_back(static_cast<double>(mesh.vertices()[vertex].area));
-  std::vector<Rgb4> field(basis.slots());
-  for (std::size_t triple = 0; triple <= light_triples; ++triple) {
-    const bool skies = triple == light_triples;
-    std::array<Vec3, 3> places{};
-    if (!skies) {
-      RayStream rays = task.rays(world);
-      for (std::size_t i = 0; i < 3; ++i) places[i] = place_of_light(world, mesh, 3 * triple + i, rays, task.seed());
-    }
-    task.parallel_chunks(field.size(), slot_chunk, [&](const ChunkRange& range) {
-      RayStream rays = task.rays(world);
-      for (std::size_t slot = range.begin; slot < range.end; ++slot) {
-        const std::uint32_t vertex = vertex_of_slot[slot];
-        const SurfaceSample sample = mesh.sample(world, vertex, mesh.sites(vertex).front());
-        const float nearest = std::sqrt(mesh.vertices()[vertex].area);
-        const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, occlusion, rays); };
-        field[slot] = skies ? irradiance_from_sky(world, sample, vertex, occlusion, rays) : Rgb(from(0), from(1), from(2));
-      }
-    });
-    scale_to_unit_mean(field, area);
-    basis.project(field, lights.emplace_back(basis.columns()), task);
-  }
-  return lights;
+std::vector<std::size_t> pilot_blocks(std::size_t blocks) {
+  const std::size_t count = std::min(most_pilots, blocks);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < count; ++i) chosen.push_back((2 * i + 1) * blocks / (2 * count));
+  return chosen;
 }
 
-std::vector<std::vector<Rgb4>> with_ambient(std::vector<std::vector<Rgb4>> lights, const SpectralBasis& basis, float ambient) {
-  const std::vector<float> constant = basis.constant();
-  for (std::vector<Rgb4>& light : lights)
-    for (std::size_t c = 0; c < light.size(); ++c) light[c] = Rgb(light[c]) + Rgb(ambient * constant[c]);
-  return lights;
-}
-
-std::vector<float> choose_steps(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights,
-                                std::span<const PilotRow> rows, double error) {
-  const std::vector<double> spread = spread_of_columns(basis, lights);
-  std::vector<double> largest(basis.columns(), 0.0);
-  for (const PilotRow& row : rows)
-    for (std::size_t c = 0; c < largest.size(); ++c)
-      largest[c] = std::max(largest[c], std::fabs(static_cast<double>(row.values[c])));
-  const auto steps_at = [&](double scale) {
-    std::vector<float> steps;
-    for (std::size_t c = 0; c < spread.size(); ++c)
-      steps.push_back(static_cast<float>(std::max({scale / spread[c], largest[c] / most_levels, 1e-30})));
-    return steps;
-  };
-  double high = 1e-30;  // a scale at which everything is rounded away
-  for (std::size_t c = 0; c < spread.size(); ++c) high = std::max(high, 4.0 * largest[c] * spread[c]);
-  double low = high * 1e-8;
-  for (int i = 0; i < halvings; ++i) {
+Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
+                             double error, Task& task) {
+  Truncation truncation{spread_of_columns(basis, lights.usual), 0.0F};
+  const Trial trial(pilots, lights.judges, basis.constant(), task);
+  double high = threshold_that_drops_all(pilots, truncation.importance), low = high * lowest_threshold;
+  for (int i = 0; i < halvings && !task.cancelled(); ++i) {
     const double middle = std::sqrt(low * high);
-    (added_error(rows, lights, steps_at(middle)) > error ? high : low) = middle;
+    truncation.threshold = static_cast<float>(middle);
+    (trial.change(truncation) > error ? high : low) = middle;
   }
-  return steps_at(low);
+  truncation.threshold = static_cast<float>(low);
+  return truncation;
 }
 
 }  // namespace gibench::spectral

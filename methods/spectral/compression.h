@@ -1,36 +1,31 @@
-/// How coarsely the transfer matrix may be rounded: chosen from what rounding does to light that is tried out.
+/// How much the transfer matrix may leave out: chosen from what that does to light that is tried out.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "methods/spectral/basis.h"
-#include "methods/spectral/interpolation.h"
+#include "methods/spectral/transfer_matrix.h"
+#include "methods/spectral/trial_lights.h"
 
 namespace gibench::spectral {
 
-/// Irradiance fields of twelve point lights in the open space of the scene and of three skies, projected onto the basis: three
-/// fields to one vector, in its channels, each with an area mean of 1 (0 for a light that nothing sees). Without `occlusion`
-/// nothing stands before a point light, and no visibility ray is traced.
-std::vector<std::vector<Rgb4>> trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
-                                            std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task);
-
-/// The same with light of one radiance everywhere besides, `ambient` times their means: what bounces add to them.
-std::vector<std::vector<Rgb4>> with_ambient(std::vector<std::vector<Rgb4>> lights, const SpectralBasis& basis, float ambient);
-
-/// A row of the matrix as it would be without rounding, and the area that it stands for, m².
-struct PilotRow {
-  std::vector<float> values;
-  std::vector<float> others[2];  ///< the same by other rays, independent; empty: the values are exact
-  double area = 0.0;
+/// A block of rows as they would be if nothing were left out, dense, one behind the other.
+struct PilotBlock {
+  std::vector<float> rows;
+  std::vector<float> others[2];  ///< the same by other rays, independent; empty: the rows are exact
+  std::vector<double> areas;     ///< that the rows stand for, m²
 };
 
-/// Steps, one a column, at which rounding adds `error` to the error of the rows' answers to a trial light, as a share of them
-/// (root of the mean square over area), to the worst of them. The squared error of x is (x − A)(x − B), A and B by independent
-/// rays: against the truth, so that dropping what is but the rays' noise adds nothing. Steps are finer for functions that carry
-/// more light: in inverse proportion to the root mean square coefficient of functions of that order in their parts, so that every
-/// function may add the same.
-std::vector<float> choose_steps(const SpectralBasis& basis, const std::vector<std::vector<Rgb4>>& lights,
-                                std::span<const PilotRow> rows, double error);
+/// The numbers of the blocks among `blocks` that are to be pilots, spread evenly.
+std::vector<std::size_t> pilot_blocks(std::size_t blocks);
+
+/// The truncation that changes the pilots' answers by `error` as a share of them: root of the mean over lights of the mean square
+/// over area. Judged by what it does to the truth: columns are those that the pilots' rows keep, and the mean square change of
+/// the true rows is that of one set of other rays times that of the other, so that dropping what is but the rays' noise costs
+/// nothing. Columns count by how much light they usually carry, the root mean square coefficient of functions of that order in
+/// their parts, or their own where that is more, so that what is left out counts the same wherever it is.
+Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
+                             double error, Task& task);
 
 }  // namespace gibench::spectral

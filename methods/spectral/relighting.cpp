@@ -20,22 +20,11 @@ struct Change {
 class Frame {
  public:
   Frame(const Transfer& transfer, std::span<const Rgb4> direct, std::span<const Rgb4> reflectance, Task& task)
-      : transfer_(transfer),
-        direct_(direct),
-        reflectance_(reflectance),
-        task_(task),
-        leaving_(direct.size()),
-        light_(transfer.basis.columns()) {}
+      : transfer_(transfer), direct_(direct), reflectance_(reflectance), task_(task), light_(transfer.basis.columns()) {}
 
-  /// The light that leaves the surfaces, projected: S (ρ/π (E + E_i)); the first time E_i is zero.
-  const std::vector<Rgb4>& projected(const std::vector<Rgb4>* indirect) {
-    task_.parallel_chunks(direct_.size(), slot_chunk, [&](const ChunkRange& range) {
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const Rgb arriving = indirect != nullptr ? Rgb(direct_[i]) + Rgb((*indirect)[i]) : Rgb(direct_[i]);
-        leaving_[i] = Rgb(reflectance_[i]) * arriving;
-      }
-    });
-    transfer_.basis.project(leaving_, light_, task_);
+  /// The light that leaves the surfaces, projected: S (ρ/π (E + E_i)).
+  const std::vector<Rgb4>& projected(const std::vector<Rgb4>& indirect) {
+    transfer_.basis.project_reflected(reflectance_, direct_, indirect, light_, task_);
     return light_;
   }
 
@@ -83,18 +72,18 @@ class Frame {
   const Transfer& transfer_;
   std::span<const Rgb4> direct_, reflectance_;
   Task& task_;
-  std::vector<Rgb4> leaving_, light_;
+  std::vector<Rgb4> light_;
 };
 
 /// Bounce after bounce until the plan's bound, or until those left out hold too little to matter.
 void bounce(const Transfer& transfer, const BounceBound& bound, Frame& frame, Relit& relit, Task& task) {
   const int last = std::min(bound.planned.value_or(bound.most), bound.most);
-  std::vector<Rgb4> before(relit.irradiance.size());
+  std::vector<Rgb4> before(relit.irradiance.size());  // at first no indirect light
   double previous = 0.0;
   relit.termination = Termination::bound_reached;
   for (int number = 1; number <= last && !task.cancelled(); ++number) {
     std::swap(before, relit.irradiance);
-    transfer.one_bounce.multiply(frame.projected(number > 1 ? &before : nullptr), relit.irradiance, task);
+    transfer.one_bounce.multiply(frame.projected(before), relit.irradiance, task);
     relit.bounces = number;
     const Change change = frame.change_between(before, relit.irradiance);
     const double ratio = previous > 0.0 ? change.change / previous : fading;
@@ -126,9 +115,9 @@ Relit relight(const Transfer& transfer, std::span<const Rgb4> direct, std::span<
   Frame frame(transfer, direct, reflectance, task);
   const bool harmonics = !transfer.harmonic_slices.empty();
   if (!transfer.all_bounces.empty()) {
-    frame.multiply(transfer.all_bounces, frame.projected(nullptr), relit.irradiance);
+    frame.multiply(transfer.all_bounces, frame.projected(relit.irradiance), relit.irradiance);
     relit.bounces = bound.planned.value_or(bound.most);
-    if (harmonics) frame.gather_harmonics(frame.projected(&relit.irradiance), relit);
+    if (harmonics) frame.gather_harmonics(frame.projected(relit.irradiance), relit);
     return relit;
   }
   bounce(transfer, bound, frame, relit, task);

@@ -7,15 +7,16 @@
 #include "common/core/random.h"
 #include "methods/spectral/all_bounces.h"
 #include "methods/spectral/compression.h"
+#include "methods/spectral/slot_order.h"
 #include "methods/spectral/transfer_rows.h"
+#include "methods/spectral/trial_lights.h"
 
 namespace gibench::spectral {
 
 namespace {
 
-constexpr std::size_t row_chunk = 8;         // vertices
-constexpr std::size_t rows_a_report = 2048;  // vertices between two signs of progress
-constexpr std::size_t pilot_rows = 256;
+constexpr std::size_t rows_a_report = 256 * block_rows;  // vertices between two signs of progress
+constexpr int fewer_pilot_rays = 4;                      // times fewer, where rows are made again
 constexpr std::uint64_t pilot_stage = 0x70696c6f74ULL;
 
 class TransferMaker {
@@ -46,6 +47,7 @@ class TransferMaker {
   void make_basis() {
     const SurfaceGraph graph = make_graph(*transfer().mesh, transfer().interpolation);
     Partition partition = partition_mesh(graph, static_cast<std::uint32_t>(settings_.part_vertices));
+    put_neighbours_together(*transfer().mesh, block_rows, partition);
     task_.progress("partition", 0.04);
     BasisMaking made =
         BasisMaking::make(graph, partition, share_out(partition, static_cast<std::uint32_t>(settings_.basis_functions)),
@@ -72,17 +74,16 @@ class TransferMaker {
 
   void make_matrices() {
     find_glossy_slots();
-    const VertexRays rays = rays_of(task_.seed());
-    std::vector<float> steps;
-    const bool compressed = settings_.compression_error > 0.0;
-    std::vector<std::vector<Rgb4>> lights;
-    if (compressed) {
+    const VertexRays rays = rays_of(task_.seed(), settings_.rays);
+    Truncation truncation;
+    TrialLights lights;
+    if (settings_.compression_error > 0.0) {
       lights = trial_lights(world_, *transfer().mesh, transfer().basis, transfer().vertex_of_slot, wish_.occlusion, task_);
-      steps = choose_steps(transfer().basis, with_ambient(lights, transfer().basis, ambient()), pilot(rays),
-                           settings_.compression_error);
+      truncation = choose_truncation(transfer().basis, with_ambient(lights, transfer().basis, ambient()), pilots(rays),
+                                     settings_.compression_error, task_);
     }
-    task_.progress("steps", 0.12);
-    fill(rays, steps);
+    task_.progress("truncation", 0.12);
+    fill(rays, truncation);
     if (task_.cancelled()) return;
     if (settings_.mode == Mode::fixed_albedo) fold_bounces(lights);
     std::uint64_t coefficients = transfer().one_bounce.coefficients(), bytes = transfer().one_bounce.bytes();
@@ -119,85 +120,102 @@ class TransferMaker {
     task_.count("glossy_vertices", transfer().glossy_slots.size());
   }
 
-  VertexRays rays_of(std::uint64_t seed) const {
-    return {world_, *making_.transfer.mesh, making_.transfer.interpolation, making_.transfer.slot_of_vertex, settings_.rays,
-            seed};
+  VertexRays rays_of(std::uint64_t seed, int rays) const {
+    return {world_, *making_.transfer.mesh, making_.transfer.interpolation, making_.transfer.slot_of_vertex, rays, seed};
   }
 
-  std::vector<PilotRow> pilot(const VertexRays& rays) {
-    const std::size_t slots = transfer().basis.slots(), count = std::min(pilot_rows, slots), columns = transfer().basis.columns();
-    const VertexRays others[2] = {rays_of(mix_keys(task_.seed(), pilot_stage, 0)),
-                                  rays_of(mix_keys(task_.seed(), pilot_stage, 1))};
-    std::vector<PilotRow> rows(count);
-    for (PilotRow& row : rows)
-      for (auto* values : {&row.values, &row.others[0], &row.others[1]}) values->resize(columns, 0.0F);
-    task_.parallel_chunks(count, row_chunk, [&](const ChunkRange& range) {
+  double area_of(std::size_t slot) const {
+    return static_cast<double>(making_.transfer.mesh->vertices()[making_.transfer.vertex_of_slot[slot]].area);
+  }
+
+  std::vector<PilotBlock> pilots(const VertexRays& rays) {
+    const std::size_t slots = transfer().basis.slots(), columns = transfer().basis.columns();
+    const int fewer = std::max(1, settings_.rays / fewer_pilot_rays);
+    const VertexRays others[2] = {rays_of(mix_keys(task_.seed(), pilot_stage, 0), fewer),
+                                  rays_of(mix_keys(task_.seed(), pilot_stage, 1), fewer)};
+    const std::vector<std::size_t> chosen = pilot_blocks(chunk_count(slots, block_rows));
+    std::vector<PilotBlock> pilots(chosen.size());
+    task_.parallel_chunks(chosen.size(), 1, [&](const ChunkRange& range) {
       RayStream stream = task_.rays(world_);
-      TransferRows own(transfer().basis, rays), first(transfer().basis, others[0]), second(transfer().basis, others[1]);
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const std::uint32_t vertex = transfer().vertex_of_slot[(2 * i + 1) * slots / (2 * count)];
-        rows[i].area = static_cast<double>(transfer().mesh->vertices()[vertex].area);
-        own.irradiance(vertex, stream, rows[i].values);
-        first.irradiance(vertex, stream, rows[i].others[0]);
-        second.irradiance(vertex, stream, rows[i].others[1]);
-      }
+      PilotBlock& pilot = pilots[range.begin];
+      const std::size_t begin = chosen[range.begin] * block_rows, end = std::min(slots, begin + block_rows);
+      for (std::size_t slot = begin; slot < end; ++slot) pilot.areas.push_back(area_of(slot));
+      const auto fill = [&](const VertexRays& by, std::vector<float>& rows) {
+        TransferRows maker(transfer().basis, by);
+        rows.resize((end - begin) * columns);
+        for (std::size_t slot = begin; slot < end; ++slot)
+          maker.irradiance(transfer().vertex_of_slot[slot], stream, std::span(rows).subspan((slot - begin) * columns, columns));
+      };
+      fill(rays, pilot.rows);
+      for (std::size_t i = 0; i < 2; ++i) fill(others[i], pilot.others[i]);
     });
-    return rows;
+    return pilots;
   }
 
-  /// All rows, block by block; each block's are made in parallel and appended in order.
-  void fill(const VertexRays& rays, const std::vector<float>& steps) {
+  /// All rows, section by section; the blocks of each are made in parallel and appended in order.
+  void fill(const VertexRays& rays, const Truncation& truncation) {
     const std::size_t slots = transfer().basis.slots();
     const std::vector<float> constant = transfer().basis.constant();
-    transfer().one_bounce = TransferMatrix(steps, constant);
-    if (!transfer().glossy_slots.empty()) transfer().harmonic_slices.assign(harmonic_count - 1, TransferMatrix(steps, constant));
+    transfer().one_bounce = TransferMatrix(truncation, constant);
+    if (!transfer().glossy_slots.empty())
+      transfer().harmonic_slices.assign(harmonic_count - 1, TransferMatrix(truncation, constant));
     for (std::size_t begin = 0; begin < slots && !task_.cancelled(); begin += rows_a_report) {
-      fill_block(rays, begin, std::min(slots, begin + rows_a_report));
+      fill_section(rays, begin, std::min(slots, begin + rows_a_report));
       task_.progress("transfer",
                      0.12 + 0.85 * static_cast<double>(std::min(slots, begin + rows_a_report)) / static_cast<double>(slots));
     }
   }
 
-  void fill_block(const VertexRays& rays, std::size_t begin, std::size_t end) {
-    struct Made {
-      TransferMatrix::Block irradiance;
-      std::vector<TransferMatrix::Block> slices;
-    };
-    const std::size_t columns = transfer().basis.columns();
-    std::vector<std::unique_ptr<Made>> made(chunk_count(end - begin, row_chunk));
-    task_.parallel_chunks(end - begin, row_chunk, [&](const ChunkRange& range) {
-      RayStream stream = task_.rays(world_);
-      TransferRows maker(transfer().basis, rays);
-      auto& chunk = made[range.chunk] = std::make_unique<Made>(Made{TransferMatrix::Block(transfer().one_bounce), {}});
-      for (const TransferMatrix& slice : transfer().harmonic_slices) chunk->slices.emplace_back(slice);
-      std::vector<float> rows(columns * (transfer().harmonic_slices.empty() ? 1 : harmonic_count));
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const std::size_t slot = begin + i;
-        const std::uint32_t vertex = transfer().vertex_of_slot[slot];
-        if (transfer().glossy_row[slot] == Transfer::no_row) {
-          maker.irradiance(vertex, stream, std::span(rows).first(columns));
-        } else {
-          maker.with_harmonics(vertex, stream, rows);
-          for (std::size_t k = 1; k < harmonic_count; ++k)
-            chunk->slices[k - 1].add_row(std::span(rows).subspan(k * columns, columns));
-        }
-        chunk->irradiance.add_row(std::span(rows).first(columns));
-      }
+  /// A block of the matrix, and one of every slice if any of its vertices is glossy.
+  struct Made {
+    TransferMatrix::Section irradiance;
+    std::vector<TransferMatrix::Section> slices;
+  };
+
+  void fill_section(const VertexRays& rays, std::size_t begin, std::size_t end) {
+    std::vector<std::unique_ptr<Made>> made(chunk_count(end - begin, block_rows));
+    task_.parallel_chunks(end - begin, block_rows, [&](const ChunkRange& range) {
+      made[range.chunk] = std::make_unique<Made>(make_block(rays, begin + range.begin, begin + range.end));
     });
-    for (const auto& chunk : made) {
-      if (!chunk) continue;  // cancelled
-      transfer().one_bounce.append(chunk->irradiance);
-      for (std::size_t k = 0; k < chunk->slices.size(); ++k) transfer().harmonic_slices[k].append(chunk->slices[k]);
+    for (const auto& block : made) {
+      if (!block) continue;  // cancelled
+      transfer().one_bounce.append(block->irradiance);
+      for (std::size_t k = 0; k < block->slices.size(); ++k) transfer().harmonic_slices[k].append(block->slices[k]);
     }
   }
 
-  void fold_bounces(const std::vector<std::vector<Rgb4>>& lights) {
+  Made make_block(const VertexRays& rays, std::size_t begin, std::size_t end) {
+    const std::size_t columns = transfer().basis.columns(), slices = transfer().harmonic_slices.size();
+    RayStream stream = task_.rays(world_);
+    TransferRows maker(transfer().basis, rays);
+    std::vector<std::vector<float>> rows(1 + slices);  // of the irradiance and of every slice, one behind the other
+    std::vector<float> of_vertex(columns * (1 + slices));
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const std::uint32_t vertex = transfer().vertex_of_slot[slot];
+      const bool glossy = transfer().glossy_row[slot] != Transfer::no_row;
+      if (glossy) maker.with_harmonics(vertex, stream, of_vertex);
+      else maker.irradiance(vertex, stream, std::span(of_vertex).first(columns));
+      for (std::size_t k = 0; k < (glossy ? rows.size() : 1); ++k) {
+        const auto row = std::span(of_vertex).subspan(k * columns, columns);
+        rows[k].insert(rows[k].end(), row.begin(), row.end());
+      }
+    }
+    Made made{TransferMatrix::Section(transfer().one_bounce), {}};
+    made.irradiance.add_block(rows.front());
+    for (std::size_t k = 0; k < slices; ++k) {
+      made.slices.emplace_back(transfer().harmonic_slices[k]);
+      if (!rows[1 + k].empty()) made.slices.back().add_block(rows[1 + k]);
+    }
+    return made;
+  }
+
+  void fold_bounces(const TrialLights& lights) {
     std::vector<Rgb4> reflectance;
     std::vector<double> areas;
     for (const std::uint32_t vertex : transfer().vertex_of_slot) {
       reflectance.push_back(wish_.reflectance[transfer().mesh->vertices()[vertex].object]);
-      areas.push_back(static_cast<double>(transfer().mesh->vertices()[vertex].area));
     }
+    for (std::size_t slot = 0; slot < reflectance.size(); ++slot) areas.push_back(area_of(slot));
     transfer().all_bounces = all_bounces(transfer().basis, transfer().one_bounce, reflectance, areas, wish_.most_bounces, lights,
                                          settings_.compression_error, task_);
     if (transfer().harmonic_slices.empty()) transfer().one_bounce = TransferMatrix();

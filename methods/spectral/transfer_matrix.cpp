@@ -1,6 +1,7 @@
 #include "methods/spectral/transfer_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,103 +11,154 @@ namespace gibench::spectral {
 
 namespace {
 
-constexpr std::size_t group = 8;  // entries that are taken together
-constexpr std::size_t row_chunk = 1024;
+constexpr std::size_t block_chunk = 64;  // blocks
+constexpr float most = std::numeric_limits<std::int16_t>::max();
 
-using Lanes = float __attribute__((vector_size(32), aligned(4), may_alias));
-using LanesOfShort = std::int16_t __attribute__((vector_size(16), aligned(2), may_alias));
-using Colour = float __attribute__((vector_size(16), may_alias));
-
-Lanes load(const std::int16_t* from) { return __builtin_convertvector(*reinterpret_cast<const LanesOfShort*>(from), Lanes); }
-Lanes load(const float* from) { return *reinterpret_cast<const Lanes*>(from); }
-Colour all(float value) { return Colour{value, value, value, value}; }
-
-/// One row's sum. Two chains of additions, so that one need not wait for the other.
+/// Eight rows' sums. Two chains of additions, so that one need not wait for the other.
 template <class Value>
-Colour row_sum(const Value* value, const std::uint16_t* column, std::size_t count, const Colour* light) {
-  Colour even = all(0.0F), odd = all(0.0F), third = all(0.0F), fourth = all(0.0F);
-  for (std::size_t i = 0; i < count; i += group) {
-    alignas(32) float v[group];
-    *reinterpret_cast<Lanes*>(v) = load(value + i);
-    even += all(v[0]) * light[column[i]];
-    odd += all(v[1]) * light[column[i + 1]];
-    third += all(v[2]) * light[column[i + 2]];
-    fourth += all(v[3]) * light[column[i + 3]];
-    even += all(v[4]) * light[column[i + 4]];
-    odd += all(v[5]) * light[column[i + 5]];
-    third += all(v[6]) * light[column[i + 6]];
-    fourth += all(v[7]) * light[column[i + 7]];
+ColourLanes block_sum(const Value* values, std::span<const std::uint16_t> columns, const Rgb4* light) {
+  ColourLanes even, odd;
+  std::size_t i = 0;
+  for (; i + 2 <= columns.size(); i += 2) {
+    even.add(load(values + i * block_rows), light[columns[i]]);
+    odd.add(load(values + (i + 1) * block_rows), light[columns[i + 1]]);
   }
-  return (even + odd) + (third + fourth);
+  if (i < columns.size()) even.add(load(values + i * block_rows), light[columns[i]]);
+  even += odd;
+  return even;
+}
+
+void store_rows(const ColourLanes& colours, std::span<Rgb4> out) {
+  if (out.size() == block_rows) return store(colours, out.data());
+  std::array<Rgb4, block_rows> all;
+  store(colours, all.data());
+  std::copy_n(all.begin(), out.size(), out.begin());
 }
 
 }  // namespace
 
-void TransferMatrix::Block::add(std::uint32_t column, float value) {
-  column_.push_back(static_cast<std::uint16_t>(column));
-  if (matrix_->steps_.empty()) exact_.push_back(value);
-  else quantised_.push_back(static_cast<std::int16_t>(value));
+void TransferMatrix::Section::keep_columns(std::span<const float> rows, std::size_t count) {
+  const std::size_t columns = matrix_->columns();
+  const Truncation& truncation = matrix_->truncation_;
+  bool constant_kept = false;
+  std::size_t best = columns;  // of those that carry constant light
+  float best_answer = 0.0F;
+  for (std::size_t c = 0; c < columns; ++c) {
+    float squares = 0.0F;
+    for (std::size_t r = 0; r < count; ++r) squares += rows[r * columns + c] * rows[r * columns + c];
+    const float usual = std::sqrt(squares / static_cast<float>(count));
+    const bool carries_constant = matrix_->constant_[c] != 0.0F;
+    if (const float answer = usual * std::fabs(matrix_->constant_[c]); answer > best_answer) best_answer = answer, best = c;
+    if (!(usual > 0.0F) || (matrix_->rounded() && !(usual * truncation.importance[c] > truncation.threshold))) continue;
+    column_.push_back(static_cast<std::uint16_t>(c));
+    constant_kept |= carries_constant;
+  }
+  if (matrix_->rounded() && !constant_kept && best < columns) column_.push_back(static_cast<std::uint16_t>(best));
 }
 
-void TransferMatrix::Block::add_row(std::span<const float> dense) {
-  GIBENCH_CHECK(dense.size() == matrix_->columns(), "a row has a value for every column");
-  const std::size_t before = column_.size();
-  if (matrix_->steps_.empty()) {
-    for (std::uint32_t c = 0; c < dense.size(); ++c)
-      if (dense[c] != 0.0F) add(c, dense[c]);
+void TransferMatrix::Section::add_block(std::span<const float> rows, std::span<const float> alike) {
+  const std::size_t columns = matrix_->columns(), count = rows.size() / columns;
+  GIBENCH_CHECK(count > 0 && count <= block_rows && rows.size() == count * columns, "a block has one to eight whole rows");
+  GIBENCH_CHECK(alike.size() == rows.size(), "rows that choose columns are as many");
+  keep_columns(alike, count);
+  const std::span<const std::uint16_t> own = columns_of_block();
+  std::vector<float> kept(own.size() * block_rows, 0.0F);
+  for (std::size_t i = 0; i < own.size(); ++i)
+    for (std::size_t r = 0; r < count; ++r) kept[i * block_rows + r] = rows[r * columns + own[i]];
+  if (matrix_->rounded()) {
+    keep_answer_to_constant(rows, count, kept);
+    quantise(kept);
   } else {
-    add_rounded(dense);
+    exact_.insert(exact_.end(), kept.begin(), kept.end());
   }
-  coefficients_ += column_.size() - before;
-  while ((column_.size() - before) % group != 0) add(0, 0.0F);
-  row_sizes_.push_back(static_cast<std::uint32_t>(column_.size() - before));
+  first_row_.push_back(first_row_.back() + static_cast<std::uint32_t>(count));
+  block_begin_.push_back(static_cast<std::uint32_t>(column_.size()));
 }
 
-void TransferMatrix::Block::add_rounded(std::span<const float> dense) {
-  constexpr float most = std::numeric_limits<std::int16_t>::max();
-  float lost = 0.0F;  // of the answer to constant light
-  for (std::uint32_t c = 0; c < dense.size(); ++c) {
-    const float step = matrix_->steps_[c], constant = matrix_->constant_[c];
-    const float wanted = constant != 0.0F ? dense[c] + lost / constant : dense[c];
-    const float levels = std::clamp(std::nearbyint(wanted / step), -most, most);
-    if (constant != 0.0F) lost = (wanted - levels * step) * constant;
-    if (levels != 0.0F) add(c, levels);
+/// What was dropped of the answer to constant light is spread so that it changes the answers to other lights least: minimising
+/// Σ (importance · change)² with Σ constant · change given, each changes by constant / importance².
+void TransferMatrix::Section::keep_answer_to_constant(std::span<const float> rows, std::size_t count,
+                                                      std::span<float> kept) const {
+  const std::span<const std::uint16_t> own = columns_of_block();
+  const std::vector<float>&constant = matrix_->constant_, &importance = matrix_->truncation_.importance;
+  const auto ratio = [&](std::size_t c) {
+    return static_cast<double>(constant[c]) / (static_cast<double>(importance[c]) * static_cast<double>(importance[c]));
+  };
+  double whole = 0.0;
+  for (const std::uint16_t c : own) whole += ratio(c) * static_cast<double>(constant[c]);
+  if (!(whole > 0.0)) return;
+  for (std::size_t r = 0; r < count; ++r) {
+    double lost = 0.0;
+    for (std::size_t c = 0; c < constant.size(); ++c)
+      lost += static_cast<double>(constant[c]) * static_cast<double>(rows[r * constant.size() + c]);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      lost -= static_cast<double>(constant[own[i]]) * static_cast<double>(kept[i * block_rows + r]);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (constant[own[i]] != 0.0F) kept[i * block_rows + r] += static_cast<float>(lost * ratio(own[i]) / whole);
   }
 }
 
-void TransferMatrix::append(const Block& block) {
-  for (const std::uint32_t size : block.row_sizes_) row_begin_.push_back(row_begin_.back() + size);
-  quantised_.insert(quantised_.end(), block.quantised_.begin(), block.quantised_.end());
-  exact_.insert(exact_.end(), block.exact_.begin(), block.exact_.end());
-  column_.insert(column_.end(), block.column_.begin(), block.column_.end());
-  coefficients_ += block.coefficients_;
+void TransferMatrix::Section::quantise(std::span<const float> kept) {
+  const std::span<const std::uint16_t> own = columns_of_block();
+  float scale[block_rows] = {};
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    scale[i % block_rows] =
+        std::max(scale[i % block_rows], std::fabs(kept[i]) * matrix_->truncation_.importance[own[i / block_rows]] / most);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const float scaled = kept[i] * matrix_->truncation_.importance[own[i / block_rows]], step = scale[i % block_rows];
+    quantised_.push_back(static_cast<std::int16_t>(step > 0.0F ? std::clamp(std::nearbyint(scaled / step), -most, most) : 0.0F));
+  }
+  row_scale_.insert(row_scale_.end(), std::begin(scale), std::end(scale));
+}
+
+void TransferMatrix::append(const Section& section) {
+  const std::uint32_t row = first_row_.back();
+  const std::uint64_t begin = block_begin_.back();
+  for (std::size_t b = 1; b < section.first_row_.size(); ++b) {
+    first_row_.push_back(row + section.first_row_[b]);
+    block_begin_.push_back(begin + section.block_begin_[b]);
+    coefficients_ += std::uint64_t{section.first_row_[b] - section.first_row_[b - 1]} *
+                     (section.block_begin_[b] - section.block_begin_[b - 1]);
+  }
+  quantised_.insert(quantised_.end(), section.quantised_.begin(), section.quantised_.end());
+  exact_.insert(exact_.end(), section.exact_.begin(), section.exact_.end());
+  row_scale_.insert(row_scale_.end(), section.row_scale_.begin(), section.row_scale_.end());
+  column_.insert(column_.end(), section.column_.begin(), section.column_.end());
 }
 
 void TransferMatrix::multiply(std::span<const Rgb4> light, std::span<Rgb4> out, Task& task) const {
   GIBENCH_CHECK(light.size() == columns() && out.size() == rows(), "one light a column, one answer a row");
-  std::vector<Rgb4> in_steps(light.begin(), light.end());
-  for (std::size_t c = 0; c < steps_.size(); ++c) in_steps[c] = Rgb(light[c]) * steps_[c];
-  const auto* const colours = reinterpret_cast<const Colour*>(in_steps.data());
-  task.parallel_chunks(rows(), row_chunk, [&](const ChunkRange& range) {
-    for (std::size_t row = range.begin; row < range.end; ++row) {
-      const std::uint64_t begin = row_begin_[row], count = row_begin_[row + 1] - begin;
-      *reinterpret_cast<Colour*>(&out[row]) = steps_.empty()
-                                                  ? row_sum(exact_.data() + begin, column_.data() + begin, count, colours)
-                                                  : row_sum(quantised_.data() + begin, column_.data() + begin, count, colours);
+  std::vector<Rgb4> scaled(light.begin(), light.end());
+  for (std::size_t c = 0; c < truncation_.importance.size(); ++c) scaled[c] = Rgb(light[c]) / truncation_.importance[c];
+  task.parallel_chunks(first_row_.size() - 1, block_chunk, [&](const ChunkRange& range) {
+    for (std::size_t b = range.begin; b < range.end; ++b) {
+      const std::uint64_t begin = block_begin_[b], count = block_begin_[b + 1] - begin;
+      const auto columns = std::span(column_).subspan(begin, count);
+      const std::span<Rgb4> answers = out.subspan(first_row_[b], first_row_[b + 1] - first_row_[b]);
+      ColourLanes sum = rounded() ? block_sum(quantised_.data() + begin * block_rows, columns, scaled.data())
+                                  : block_sum(exact_.data() + begin * block_rows, columns, scaled.data());
+      if (rounded()) sum *= load(row_scale_.data() + b * block_rows);
+      store_rows(sum, answers);
     }
   });
 }
 
 void TransferMatrix::add_row_to(std::size_t row, float factor, std::span<double> dense) const {
-  for (std::uint64_t i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
-    const float value = steps_.empty() ? exact_[i] : static_cast<float>(quantised_[i]) * steps_[column_[i]];
-    dense[column_[i]] += static_cast<double>(factor * value);
+  const auto after = std::upper_bound(first_row_.begin(), first_row_.end(), row);
+  const auto block = static_cast<std::size_t>(after - first_row_.begin()) - 1, lane = row - first_row_[block];
+  for (std::uint64_t i = block_begin_[block]; i < block_begin_[block + 1]; ++i) {
+    const std::size_t c = column_[i], at = i * block_rows + lane;
+    const float value =
+        rounded() ? static_cast<float>(quantised_[at]) * row_scale_[block * block_rows + lane] / truncation_.importance[c]
+                  : exact_[at];
+    dense[c] += static_cast<double>(factor * value);
   }
 }
 
 std::size_t TransferMatrix::bytes() const {
-  return row_begin_.size() * sizeof(std::uint64_t) + quantised_.size() * sizeof(std::int16_t) + exact_.size() * sizeof(float) +
-         column_.size() * sizeof(std::uint16_t) + (steps_.size() + constant_.size()) * sizeof(float);
+  return first_row_.size() * sizeof(std::uint32_t) + block_begin_.size() * sizeof(std::uint64_t) +
+         quantised_.size() * sizeof(std::int16_t) + column_.size() * sizeof(std::uint16_t) +
+         (exact_.size() + row_scale_.size() + truncation_.importance.size() + constant_.size()) * sizeof(float);
 }
 
 }  // namespace gibench::spectral

@@ -1,4 +1,4 @@
-/// The transfer matrix in memory: sparse, 16 bits a coefficient, and its product with the projected light.
+/// The transfer matrix in memory: sparse blocks of eight rows, 16 bits a coefficient, and its product with the projected light.
 #pragma once
 
 #include <cstdint>
@@ -6,57 +6,79 @@
 #include <vector>
 
 #include "common/method/task.h"
+#include "methods/spectral/lanes.h"
 #include "methods/spectral/rgb4.h"
 
 namespace gibench::spectral {
 
-/// Rows of (value, column) pairs, each row padded to a multiple of eight. Values are whole multiples of their column's step
-/// (Wang et al. 2007, section 3.3: quantisation), those that come to zero are left out; or, where there are no steps, floats.
+/// Rows that share their columns, at most.
+constexpr std::size_t block_rows = lane_count;
+
+/// What is left out of the rows of a matrix. As it is made: exact zeros alone, and values are floats.
+struct Truncation {
+  std::vector<float> importance;  ///< > 0, one a column: how much light it usually carries; empty: nothing else is left out
+  float threshold = 0.0F;         ///< a block keeps columns of which the root mean square value times importance is above it
+};
+
+/// Rows of (value, column) pairs, in blocks of up to eight rows that are alike and share their columns: a column number is held
+/// once for eight values, and a product is eight rows at a time. With a truncation values are 16-bit whole numbers (Wang et al.
+/// 2007, section 3.3), q · row scale / importance, the row's scale such that its largest is 32767.
 class TransferMatrix {
  public:
   TransferMatrix() = default;
-  /// `steps`: one a column, > 0; empty: nothing is rounded, exact zeros alone are left out. `constant`: light of one radiance,
-  /// projected. What rounding takes from a row's answer to it is handed on to the next of its columns, so that no more than half
-  /// a step is lost.
-  TransferMatrix(std::vector<float> steps, std::vector<float> constant)
-      : steps_(std::move(steps)), constant_(std::move(constant)) {}
+  /// `constant`: light of one radiance, projected. What truncation takes from a row's answer to it goes to those of its columns
+  /// that are kept, of which one always is.
+  TransferMatrix(Truncation truncation, std::vector<float> constant)
+      : truncation_(std::move(truncation)), constant_(std::move(constant)) {}
 
-  std::size_t rows() const { return row_begin_.size() - 1; }
+  std::size_t rows() const { return first_row_.back(); }
   std::size_t columns() const { return constant_.size(); }
-  std::uint64_t coefficients() const { return coefficients_; }  ///< kept, padding not counted
+  /// Kept: zeros among them, but not the rows that a short block lacks.
+  std::uint64_t coefficients() const { return coefficients_; }
   std::size_t bytes() const;
 
-  /// The rows of a block, made by one thread.
-  class Block {
+  /// Blocks of rows, made by one thread.
+  class Section {
    public:
-    explicit Block(const TransferMatrix& matrix) : matrix_(&matrix) {}
-    void add_row(std::span<const float> dense);
+    explicit Section(const TransferMatrix& matrix) : matrix_(&matrix) {}
+    /// One to eight dense rows, one behind the other.
+    void add_block(std::span<const float> rows) { add_block(rows, rows); }
+    /// With the columns that the rows `alike` would keep, zeros or not.
+    void add_block(std::span<const float> rows, std::span<const float> alike);
 
    private:
     friend class TransferMatrix;
-    void add(std::uint32_t column, float value);
-    void add_rounded(std::span<const float> dense);
-    const TransferMatrix* matrix_;
-    std::vector<std::uint32_t> row_sizes_;
-    std::vector<std::int16_t> quantised_;
-    std::vector<float> exact_;
-    std::vector<std::uint16_t> column_;
-    std::uint64_t coefficients_ = 0;
-  };
-  /// Blocks in the order of their rows.
-  void append(const Block& block);
+    void keep_columns(std::span<const float> rows, std::size_t count);
+    void keep_answer_to_constant(std::span<const float> rows, std::size_t count, std::span<float> kept) const;
+    void quantise(std::span<const float> kept);
+    std::span<const std::uint16_t> columns_of_block() const { return std::span(column_).subspan(block_begin_.back()); }
 
-  /// out[row] = Σ value · light[column]; on chunks of rows.
+    const TransferMatrix* matrix_;
+    std::vector<std::uint32_t> first_row_{0}, block_begin_{0};
+    std::vector<std::int16_t> quantised_;
+    std::vector<float> exact_, row_scale_;
+    std::vector<std::uint16_t> column_;
+  };
+  /// Sections in the order of their rows.
+  void append(const Section& section);
+
+  /// out[row] = Σ value · light[column]; on chunks of blocks.
   void multiply(std::span<const Rgb4> light, std::span<Rgb4> out, Task& task) const;
   /// Adds factor times a row to a dense one.
   void add_row_to(std::size_t row, float factor, std::span<double> dense) const;
 
  private:
-  std::vector<float> steps_, constant_;
-  std::vector<std::uint64_t> row_begin_{0};  ///< into the arrays below
-  std::vector<std::int16_t> quantised_;
-  std::vector<float> exact_;
+  bool rounded() const { return !truncation_.importance.empty(); }
+
+  Truncation truncation_;
+  std::vector<float> constant_;
+  std::vector<std::uint32_t> first_row_{0};  ///< of every block, and one more
+  std::vector<std::uint64_t> block_begin_{
+      0};  ///< of every block, and one more: into the columns, and times eight into the values
   std::vector<std::uint16_t> column_;
+  std::vector<std::int16_t> quantised_;  ///< a column's eight rows next to one another
+  std::vector<float> exact_;             ///< the same, where nothing is rounded
+  std::vector<float> row_scale_;         ///< eight a block, where something is
   std::uint64_t coefficients_ = 0;
 };
 

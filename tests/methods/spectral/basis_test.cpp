@@ -8,6 +8,8 @@
 
 #include "common/core/random.h"
 #include "methods/spectral/eigenvectors.h"
+#include "methods/spectral/slot_order.h"
+#include "methods/spectral/transfer_matrix.h"
 #include "rooms.h"
 
 namespace gibench::test {
@@ -83,6 +85,84 @@ TEST(SpectralBasis, PartsHangTogetherAndHaveAboutTheSizeAskedFor) {
   std::sort(seen.begin(), seen.end());
   for (std::uint32_t v = 0; v < seen.size(); ++v) ASSERT_EQ(seen[v], v);
   EXPECT_EQ(seen.size(), based.mesh.vertices().size());
+}
+
+/// Mean square distance of vertices in one block from its middle, in vertices' areas.
+double spread_of_blocks(const SamplingMesh& mesh, const Partition& partition) {
+  double sum = 0.0;
+  std::size_t counted = 0;
+  for (std::size_t part = 0; part < partition.parts(); ++part)
+    for (std::size_t begin = (partition.part_begin[part] + block_rows - 1) / block_rows * block_rows;
+         begin + block_rows <= partition.part_begin[part + 1]; begin += block_rows) {
+      Vec3d middle(0.0);
+      const auto position = [&](std::size_t i) { return Vec3d(mesh.vertices()[partition.order[begin + i]].position); };
+      for (std::size_t i = 0; i < block_rows; ++i) middle += position(i) / static_cast<double>(block_rows);
+      for (std::size_t i = 0; i < block_rows; ++i) {
+        const Vec3d off = position(i) - middle;
+        sum += glm::dot(off, off) / static_cast<double>(mesh.vertices()[partition.order[begin + i]].area);
+        ++counted;
+      }
+    }
+  return sum / static_cast<double>(counted);
+}
+
+TEST(SpectralBasis, VerticesOfABlockAreCloseAndStayInTheirPart) {
+  const Based based(square(1.0F), 3000, 333, 30, Laplacian::cotan);
+  Partition partition = based.partition;
+  put_neighbours_together(based.mesh, block_rows, partition);
+  for (std::size_t part = 0; part < partition.parts(); ++part) {
+    std::vector<std::uint32_t> members(partition.order.begin() + partition.part_begin[part],
+                                       partition.order.begin() + partition.part_begin[part + 1]);
+    std::sort(members.begin(), members.end());
+    EXPECT_TRUE(std::equal(members.begin(), members.end(), based.partition.order.begin() + partition.part_begin[part]));
+  }
+  // Eight of a square lattice, two by four: (2² − 1)/12 + (4² − 1)/12 = 1.5 of its cells; in rows of the mesh, (8² − 1)/12.
+  EXPECT_LT(spread_of_blocks(based.mesh, partition), 2.2);
+  EXPECT_GT(spread_of_blocks(based.mesh, based.partition), 4.0);
+}
+
+TEST(SpectralBasis, OrderOfVerticesInAPartMovesTheFunctionsWithThem) {
+  Based based(closed_room(), 900, 200, 60, Laplacian::cotan);
+  Partition partition = based.partition;
+  put_neighbours_together(based.mesh, block_rows, partition);
+  ASSERT_NE(partition.order, based.partition.order);
+  const BasisMaking moved = BasisMaking::make(based.graph, partition, share_out(partition, 60), Laplacian::cotan, based.task);
+  for (std::size_t p = 0; p < partition.parts(); ++p)
+    for (std::uint32_t slot = partition.part_begin[p]; slot < partition.part_begin[p + 1]; ++slot) {
+      const auto begin = based.partition.order.begin() + partition.part_begin[p];
+      const auto found = std::lower_bound(begin, begin + partition.part_size(p), partition.order[slot]);
+      const auto before = static_cast<std::uint32_t>(found - based.partition.order.begin());
+      const auto expected = based.basis().row(based.basis().parts()[p], before),
+                 row = moved.basis.row(moved.basis.parts()[p], slot);
+      EXPECT_TRUE(std::equal(row.begin(), row.end(), expected.begin()));
+      EXPECT_EQ(moved.basis.weight()[slot], based.basis().weight()[before]);
+    }
+}
+
+TEST(SpectralBasis, ReflectedLightIsProjectedAsIfItWereStored) {
+  Based based(closed_room(), 900, 200, 60, Laplacian::cotan);
+  const SpectralBasis& basis = based.basis();
+  RandomStream random(1, 2, 3);
+  std::vector<Rgb4> reflectance, direct, indirect, leaving;
+  for (std::uint32_t slot = 0; slot < basis.slots(); ++slot) {
+    for (auto* field : {&reflectance, &direct, &indirect})
+      field->emplace_back(Rgb(random.next_float(), random.next_float(), random.next_float()));
+    leaving.emplace_back(Rgb(reflectance[slot]) * (Rgb(direct[slot]) + Rgb(indirect[slot])));
+  }
+  std::vector<Rgb4> stored(basis.columns()), fused(basis.columns());
+  basis.project(leaving, stored, based.task);
+  basis.project_reflected(reflectance, direct, indirect, fused, based.task);
+  for (std::uint32_t c = 0; c < basis.columns(); ++c)
+    for (int channel = 0; channel < 3; ++channel) EXPECT_EQ(Rgb(fused[c])[channel], Rgb(stored[c])[channel]);
+  // And against the sum written out.
+  for (const SpectralBasis::Part& part : basis.parts())
+    for (std::uint32_t f = 0; f < part.functions; ++f) {
+      double expected = 0.0;
+      for (std::uint32_t slot = part.begin; slot < part.end; ++slot)
+        expected += static_cast<double>(basis.weight()[slot]) * static_cast<double>(basis.row(part, slot)[f]) *
+                    static_cast<double>(leaving[slot].g);
+      EXPECT_NEAR(stored[part.column + f].g, expected, 1e-4);
+    }
 }
 
 TEST(SpectralBasis, CompleteBasisReproducesAnyFunction) {
