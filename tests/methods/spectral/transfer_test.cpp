@@ -135,9 +135,17 @@ TEST(SpectralTransfer, CompressionAddsNoMoreErrorThanAskedFor) {
 
 TEST(SpectralTransfer, RaysAboutOneVertexAreCosineDistributedAndDiffer) {
   const DirectionSet set(4096, 1);
-  std::vector<Vec3> first(set.size()), second(set.size());
-  set.directions(1, 0, first);
-  set.directions(1, 1, second);
+  const auto directions_of = [&](std::uint32_t vertex) {
+    const DirectionSet::Turn turn = DirectionSet::turn(1, vertex, {0.0F, 0.0F, 1.0F});
+    std::vector<Vec3> directions;
+    DirectionBatch batch;
+    for (std::size_t begin = 0; begin < set.size(); begin += batch.count) {
+      set.directions(turn, begin, batch);
+      for (std::size_t i = 0; i < batch.count; ++i) directions.push_back(batch.direction(i));
+    }
+    return directions;
+  };
+  const std::vector<Vec3> first = directions_of(0), second = directions_of(1);
   EXPECT_NE(first.front(), second.front());
   for (const auto& directions : {first, second}) {
     Vec3d mean(0.0);
