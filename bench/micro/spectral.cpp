@@ -76,12 +76,10 @@ void transfer_rows(benchmark::State& state) {
     task.parallel_chunks(blocks * block_rows, block_rows, [&](const ChunkRange& range) {
       RayStream stream = task.rays(world);
       TransferRows rows(transfer.basis, traced);
-      std::vector<float> row(transfer.basis.columns());
+      std::vector<float> row(block_rows * transfer.basis.columns());
       const std::size_t first = range.chunk * transfer.basis.slots() / blocks;
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        rows.irradiance(transfer.vertex_of_slot[first + i - range.begin], stream, row);
-        benchmark::DoNotOptimize(row.data());
-      }
+      rows.irradiance(std::span(transfer.vertex_of_slot).subspan(first, block_rows), stream, row);
+      benchmark::DoNotOptimize(row.data());
     });
     return Work{process_seconds() - start, task.counters()};
   });

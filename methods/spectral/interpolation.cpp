@@ -32,7 +32,15 @@ struct Lifted {
 
 }  // namespace
 
-Interpolation::Interpolation(const World& world, const SamplingMesh& mesh, Task& task) : cut_edges_(mesh.triangles().size(), 0) {
+Interpolation::Interpolation(const World& world, SamplingMesh& mesh, Task& task) : cut_edges_(mesh.triangles().size(), 0) {
+  cut_edges(world, mesh, task);
+  if (task.cancelled()) return;
+  mesh.place_sites(world, cut_edges_);
+  find_sites(world, mesh);
+  find_hidden_sites(world, mesh, task);
+}
+
+void Interpolation::cut_edges(const World& world, const SamplingMesh& mesh, Task& task) {
   task.parallel_chunks(cut_edges_.size(), triangle_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
     for (std::size_t t = range.begin; t < range.end; ++t) {
@@ -45,6 +53,32 @@ Interpolation::Interpolation(const World& world, const SamplingMesh& mesh, Task&
   });
 }
 
+void Interpolation::find_sites(const World& world, const SamplingMesh& mesh) {
+  for (std::uint32_t vertex = 0; vertex < mesh.vertices().size(); ++vertex)
+    sites_.push_back(mesh.sample(world, vertex, mesh.sites(vertex).front()).position);
+}
+
+/// A site may lie beyond a surface that passes between it and a triangle without touching that triangle's edges.
+void Interpolation::find_hidden_sites(const World& world, const SamplingMesh& mesh, Task& task) {
+  task.parallel_chunks(cut_edges_.size(), triangle_chunk, [&](const ChunkRange& range) {
+    RayStream rays = task.rays(world);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      const Lifted lifted(world, mesh, t);
+      for (std::size_t c = 0; c < 3 && !torn(t); ++c) {
+        const Vec3 &from = lifted.corners[c], to = site(mesh, t, c, from, lifted.up);
+        if (to != from && rays.occluded({from, 0.0F, to - from, 1.0F})) cut_edges_[t] = hidden_site;
+      }
+    }
+  });
+}
+
+Vec3 Interpolation::site(const SamplingMesh& mesh, std::uint32_t triangle, std::size_t corner, const Vec3& own,
+                         const Vec3& up) const {
+  const std::uint32_t vertex = mesh.triangles()[triangle].corners[corner];
+  return mesh.sites(vertex).size() == 1 ? sites_[vertex] + up : own;
+}
+
 MeshPoint Interpolation::seen(const World& world, const SamplingMesh& mesh, MeshPoint point, const Vec3& position,
                               RayStream& rays) const {
   if (!torn(point.triangle)) return point;
@@ -53,7 +87,8 @@ MeshPoint Interpolation::seen(const World& world, const SamplingMesh& mesh, Mesh
   MeshPoint kept = point;
   float sum = 0.0F;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (rays.occluded({from, 0.0F, lifted.corners[i] - from, 1.0F})) kept.weights[i] = 0.0F;
+    const Vec3 to = site(mesh, point.triangle, i, lifted.corners[i], lifted.up);
+    if (rays.occluded({from, 0.0F, to - from, 1.0F})) kept.weights[i] = 0.0F;
     sum += kept.weights[i];
   }
   if (!(sum > 0.0F)) return point;

@@ -39,7 +39,7 @@ class TransferMaker {
     task_.count("vertices", transfer().mesh->vertices().size());
     if (transfer().mesh->refused_faces() > 0) task_.count("non_manifold_faces", transfer().mesh->refused_faces());
     task_.progress("sampling mesh", 0.02);
-    const SamplingMesh& mesh = *transfer().mesh;
+    SamplingMesh& mesh = *transfer().mesh;
     transfer().interpolation = wish_.occlusion ? Interpolation(world_, mesh, task_) : Interpolation(mesh);
   }
 
@@ -170,14 +170,19 @@ class TransferMaker {
       TransferRows maker(transfer().basis, rays);
       auto& chunk = made[range.chunk] = std::make_unique<Made>(Made{TransferMatrix::Block(transfer().one_bounce), {}});
       for (const TransferMatrix& slice : transfer().harmonic_slices) chunk->slices.emplace_back(slice);
-      std::vector<float> rows(columns * (transfer().harmonic_slices.empty() ? 1 : harmonic_count));
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const std::size_t slot = begin + i;
-        const std::uint32_t vertex = transfer().vertex_of_slot[slot];
-        if (transfer().glossy_row[slot] == Transfer::no_row) {
-          maker.irradiance(vertex, stream, std::span(rows).first(columns));
+      const std::span vertices = std::span(transfer().vertex_of_slot).subspan(begin + range.begin, range.end - range.begin);
+      std::vector<float> rows(columns * (transfer().harmonic_slices.empty() ? row_chunk : harmonic_count));
+      if (transfer().harmonic_slices.empty()) {
+        maker.irradiance(vertices, stream, rows);
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+          chunk->irradiance.add_row(std::span(rows).subspan(i * columns, columns));
+        return;
+      }
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (transfer().glossy_row[begin + range.begin + i] == Transfer::no_row) {
+          maker.irradiance(vertices[i], stream, std::span(rows).first(columns));
         } else {
-          maker.with_harmonics(vertex, stream, rows);
+          maker.with_harmonics(vertices[i], stream, rows);
           for (std::size_t k = 1; k < harmonic_count; ++k)
             chunk->slices[k - 1].add_row(std::span(rows).subspan(k * columns, columns));
         }
