@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::size_t triangle_chunk = 512;
 constexpr float inset = 1.0F / 64.0F;  // of a triangle: rays run between points just inside its corners
+constexpr float tip = inset / 16.0F;   // where a corner itself is looked for: a surface between there and the inset cuts it off
 constexpr float lift = 1.0F / 256.0F;  // of a triangle's size: how far above it
 
 /// The places just above a triangle's corners.
 struct Lifted {
-  std::array<Vec3, 3> corners;
+  std::array<Vec3, 3> corners, tips;
   Vec3 up;  // metres
 
   Lifted(const World& world, const SamplingMesh& mesh, std::uint32_t triangle) {
@@ -26,7 +27,10 @@ struct Lifted {
     const float height = std::max(world.offset(centre), lift * std::sqrt(glm::length(glm::cross(p[1] - p[0], p[2] - p[0]))));
     up = (face.front ? height : -height) * front;
     const Vec3 middle = (p[0] + p[1] + p[2]) / 3.0F;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = glm::mix(p[i], middle, 3.0F * inset) + up;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = glm::mix(p[i], middle, 3.0F * inset) + up;
+      tips[i] = glm::mix(p[i], middle, 3.0F * tip) + up;
+    }
   }
 };
 
@@ -49,6 +53,8 @@ void Interpolation::cut_edges(const World& world, const SamplingMesh& mesh, Task
         const Vec3 &from = lifted.corners[i], &to = lifted.corners[(i + 1) % 3];
         if (rays.occluded({from, 0.0F, to - from, 1.0F})) cut_edges_[t] = static_cast<std::uint8_t>(cut_edges_[t] | (1U << i));
       }
+      for (std::size_t c = 0; c < 3 && cut_edges_[t] == 0; ++c)
+        if (rays.occluded({lifted.tips[c], 0.0F, lifted.corners[c] - lifted.tips[c], 1.0F})) cut_edges_[t] = hidden_site;
     }
   });
 }

@@ -16,11 +16,10 @@ void TransferRows::clear(std::size_t rows) {
   at_slots_.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(basis_.slots()));
 }
 
+/// Whether a ray met the part. Weights are not negative but for those of harmonics, whose first row is the plain one.
 bool TransferRows::reaches(const SpectralBasis::Part& part) const {
-  for (Eigen::Index row = 0; row < at_slots_.rows(); ++row) {
-    const float* const weights = at_slots_.row(row).data();
-    if (std::any_of(weights + part.begin, weights + part.end, [](float weight) { return weight != 0.0F; })) return true;
-  }
+  for (Eigen::Index row = 0; row < at_slots_.rows(); ++row)
+    if (at_slots_.row(row).segment(part.begin, part.end - part.begin).maxCoeff() > 0.0F) return true;
   return false;
 }
 
