@@ -21,6 +21,7 @@
 #include "common/scene/load.h"
 #include "methods/spectral/relighting.h"
 #include "methods/spectral/transfer.h"
+#include "methods/spectral/transfer_rows.h"
 #include "methods/spectral/vertex_light.h"
 
 namespace gibench::micro {
@@ -56,6 +57,40 @@ void precomputation(benchmark::State& state) {
   });
 }
 BENCHMARK(precomputation)->Arg(1)->Arg(2)->ArgName("threads")->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(2);
+
+/// The rows alone, of some of the window room's vertices at the mesh and basis of full size, rays a vertex as given.
+void transfer_rows(benchmark::State& state) {
+  constexpr std::size_t blocks = 12, block_rows = 8;  // next to one another in a block, as the precomputation takes them
+  const auto rays = static_cast<int>(state.range(0)), threads = static_cast<int>(state.range(1));
+  static const World world(window_room());
+  static const BareEmbree bare(world.scene());
+  static Task making;
+  static const TransferMaking made =
+      make_transfer(world, settings({{"vertices", wanted_vertices}, {"rays", "1"}, {"compression_error", "0"}}), {}, making);
+  const std::vector<Ray> gathers = cosine_rays(world, {.count = 1U << 19, .rays_per_point = static_cast<std::size_t>(rays)});
+  const std::vector<Ray> segments = cosine_rays(world, {.count = 1U << 16, .length = 0.3F, .seed = 2});
+  const Transfer& transfer = made.transfer;
+  const VertexRays traced(world, *transfer.mesh, transfer.interpolation, transfer.slot_of_vertex, rays, 1);
+  time_against_bare(state, bare, gathers, segments, threads, [&] {
+    Task task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}});
+    const double start = process_seconds();
+    task.parallel_chunks(blocks * block_rows, block_rows, [&](const ChunkRange& range) {
+      RayStream stream = task.rays(world);
+      TransferRows rows(transfer.basis, traced);
+      std::vector<float> row(block_rows * transfer.basis.columns());
+      const std::size_t first = range.chunk * transfer.basis.slots() / blocks;
+      rows.irradiance(std::span(transfer.vertex_of_slot).subspan(first, block_rows), stream, row);
+      benchmark::DoNotOptimize(row.data());
+    });
+    return Work{process_seconds() - start, task.counters()};
+  });
+}
+BENCHMARK(transfer_rows)
+    ->ArgsProduct({{1024, 16384}, {1, 2}})
+    ->ArgNames({"rays", "threads"})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
 
 TransferWish wish_of(const World& world) {
   TransferWish wish;

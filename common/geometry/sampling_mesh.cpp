@@ -59,7 +59,6 @@ class SamplingMesh::Maker {
       add_object(object);
     }
     for (const std::vector<Subface>& covering : subfaces_) mesh_.lookup_.add(covering);
-    place_sites();
   }
 
  private:
@@ -152,38 +151,59 @@ class SamplingMesh::Maker {
     }
   }
 
-  void place_sites() {
+  SamplingMesh& mesh_;
+  const World& world_;
+  const SamplingMeshOptions& options_;
+  SubdividedObject subdivided_;
+  std::vector<double> areas_;   // of the sheet's vertices
+  std::vector<Vec3d> normals_;  // times area
+  std::vector<std::vector<Subface>> subfaces_;
+};
+
+/// Where the vertices are looked at from.
+class SamplingMesh::SitePlacer {
+ public:
+  SitePlacer(SamplingMesh& mesh, const World& world, std::span<const std::uint8_t> avoided)
+      : mesh_(mesh), world_(world), avoided_(avoided) {}
+
+  void place() {
+    mesh_.sites_.clear();
+    mesh_.site_begin_.clear();
     std::vector<std::vector<std::uint32_t>> around(mesh_.vertices_.size());
     for (std::uint32_t t = 0; t < mesh_.triangles_.size(); ++t)
       for (const std::uint32_t corner : mesh_.triangles_[t].corners) around[corner].push_back(t);
     mesh_.site_begin_.push_back(0);
     for (std::uint32_t vertex = 0; vertex < around.size(); ++vertex) {
-      place_sites(vertex, around[vertex]);
+      place_around(vertex, around[vertex]);
       mesh_.site_begin_.push_back(static_cast<std::uint32_t>(mesh_.sites_.size()));
     }
   }
 
-  /// Triangles around a vertex by the plane they lie in: the largest of each takes the site.
-  void place_sites(std::uint32_t vertex, const std::vector<std::uint32_t>& around) {
+ private:
+  /// Triangles around a vertex by the plane they lie in: the largest of each takes the site, of those not avoided if any.
+  void place_around(std::uint32_t vertex, const std::vector<std::uint32_t>& around) {
     struct Plane {
       Vec3 normal;
       std::uint32_t largest;
       double largest_area, area;
+      bool avoided;
     };
     std::vector<Plane> planes;
     double total = 0.0;
     for (const std::uint32_t t : around) {
       const Vec3& normal = world_.normal(mesh_.faces_[mesh_.triangles_[t].face].scene_triangle);
       const double area = triangle_area(t);
+      const bool avoided = !avoided_.empty() && avoided_[t] != 0;
       total += area;
       const auto same =
           std::find_if(planes.begin(), planes.end(), [&](const Plane& p) { return glm::dot(p.normal, normal) >= same_plane; });
       if (same == planes.end()) {
-        planes.push_back({normal, t, area, area});
+        planes.push_back({normal, t, area, area, avoided});
         continue;
       }
       same->area += area;
-      if (area > same->largest_area) same->largest = t, same->largest_area = area;
+      if (avoided == same->avoided ? area > same->largest_area : same->avoided)
+        same->largest = t, same->largest_area = area, same->avoided = avoided;
     }
     for (const Plane& plane : planes) {
       VertexSite site = site_in(plane.largest, vertex);
@@ -220,14 +240,17 @@ class SamplingMesh::Maker {
 
   SamplingMesh& mesh_;
   const World& world_;
-  const SamplingMeshOptions& options_;
-  SubdividedObject subdivided_;
-  std::vector<double> areas_;   // of the sheet's vertices
-  std::vector<Vec3d> normals_;  // times area
-  std::vector<std::vector<Subface>> subfaces_;
+  std::span<const std::uint8_t> avoided_;
 };
 
-SamplingMesh::SamplingMesh(const World& world, const SamplingMeshOptions& options) { Maker(*this, world, options).make(); }
+SamplingMesh::SamplingMesh(const World& world, const SamplingMeshOptions& options) {
+  Maker(*this, world, options).make();
+  place_sites(world, {});
+}
+
+void SamplingMesh::place_sites(const World& world, std::span<const std::uint8_t> avoided) {
+  SitePlacer(*this, world, avoided).place();
+}
 
 SurfaceSample SamplingMesh::sample(const World& world, std::uint32_t vertex, const VertexSite& site) const {
   const Vec3& front = world.normal(site.scene_triangle);

@@ -83,6 +83,9 @@ class SamplingMesh {
   std::span<const VertexSite> sites(std::uint32_t vertex) const {
     return std::span(sites_).subspan(site_begin_[vertex], site_begin_[vertex + 1] - site_begin_[vertex]);
   }
+  /// Places the sites again, in triangles that are not among these (not zero: avoid) where a vertex has others in the same
+  /// plane: those that another surface cuts through may lie on its far side there.
+  void place_sites(const World& world, std::span<const std::uint8_t> avoided);
   /// A site as a surface sample, on the vertex's side.
   SurfaceSample sample(const World& world, std::uint32_t vertex, const VertexSite& site) const;
 
@@ -90,6 +93,7 @@ class SamplingMesh {
 
  private:
   class Maker;
+  class SitePlacer;
 
   std::vector<MeshVertex> vertices_;
   std::vector<MeshFace> faces_;

@@ -56,6 +56,11 @@ void SubfaceLookup::add(std::span<const Subface> subfaces) {
     if (!subfaces.empty()) add_entry(subfaces.front());
     return;
   }
+  if (auto cells = SubfaceLattice::of(subfaces)) {
+    rasters_.push_back({lattice, static_cast<std::uint32_t>(lattices_.size())});
+    lattices_.push_back(std::move(*cells));
+    return;
+  }
   const auto width = static_cast<std::uint32_t>(std::ceil(cells_a_subface * std::sqrt(static_cast<double>(subfaces.size()))));
   rasters_.push_back({width, static_cast<std::uint32_t>(cell_begin_.size())});
   std::vector<std::vector<std::uint32_t>> cells(std::size_t{width} * width);
@@ -74,9 +79,7 @@ void SubfaceLookup::add(std::span<const Subface> subfaces) {
   cell_begin_.push_back(static_cast<std::uint32_t>(cell_entries_.size()));
 }
 
-SubfacePoint SubfaceLookup::find(std::uint32_t outer, Vec2 barycentrics) const {
-  const Raster& raster = rasters_[outer];
-  if (raster.width == 1) return {entries_[raster.first_cell].triangle, barycentrics.x, barycentrics.y};
+SubfacePoint SubfaceLookup::search(const Raster& raster, Vec2 barycentrics) const {
   const std::uint32_t cell =
       raster.first_cell + cell_of(barycentrics.y, raster.width) * raster.width + cell_of(barycentrics.x, raster.width);
   SubfacePoint best{};
@@ -99,7 +102,9 @@ SubfacePoint SubfaceLookup::find(std::uint32_t outer, Vec2 barycentrics) const {
 }
 
 std::size_t SubfaceLookup::bytes() const {
-  return rasters_.size() * sizeof(Raster) + (cell_begin_.size() + cell_entries_.size()) * sizeof(std::uint32_t) +
+  std::size_t lattices = 0;
+  for (const SubfaceLattice& cells : lattices_) lattices += cells.bytes();
+  return lattices + rasters_.size() * sizeof(Raster) + (cell_begin_.size() + cell_entries_.size()) * sizeof(std::uint32_t) +
          entries_.size() * sizeof(Entry);
 }
 

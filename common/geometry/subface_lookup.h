@@ -5,23 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "common/core/vec.h"
+#include "common/geometry/subface_lattice.h"
 
 namespace gibench {
 
-/// A smaller triangle as seen from the triangle that it covers a part of: corners in the barycentrics (second and
-/// third corner) of the latter, which they may lie outside of.
-struct Subface {
-  Vec2 corners[3];
-  std::uint32_t triangle;  ///< what lookups give
-};
-
-struct SubfacePoint {
-  std::uint32_t triangle;
-  float second, third;  ///< barycentrics of the smaller triangle's second and third corner, in [0, 1]
-};
-
-/// For every outer triangle a raster of its barycentrics, whose cells hold the smaller triangles that may reach into them.
+/// For every outer triangle the lattice that its smaller ones make, or a raster of its barycentrics, whose cells hold the
+/// smaller triangles that may reach into them.
 class SubfaceLookup {
  public:
   /// Adds the next outer triangle, covered by these without gaps; none for a degenerate one.
@@ -29,14 +18,20 @@ class SubfaceLookup {
 
   bool covers(std::uint32_t outer) const { return rasters_[outer].width > 0; }
   /// The smaller triangle at a point of an outer one that is covered; the nearest where rounding leaves none.
-  SubfacePoint find(std::uint32_t outer, Vec2 barycentrics) const;
+  SubfacePoint find(std::uint32_t outer, Vec2 barycentrics) const {
+    const Raster& raster = rasters_[outer];
+    if (raster.width == lattice) return lattices_[raster.first_cell].find(barycentrics);
+    if (raster.width == 1) return {entries_[raster.first_cell].triangle, barycentrics.x, barycentrics.y};
+    return search(raster, barycentrics);
+  }
 
   std::size_t bytes() const;
 
  private:
+  static constexpr std::uint32_t lattice = 0xffffffffU;
   struct Raster {
-    std::uint32_t width = 0;       ///< cells along either barycentric; 0: not covered
-    std::uint32_t first_cell = 0;  ///< in cell_begin_; of a raster of one triangle its entry
+    std::uint32_t width = 0;       ///< cells along either barycentric; 0: not covered; or lattice
+    std::uint32_t first_cell = 0;  ///< in cell_begin_; of a raster of one triangle its entry; of a lattice its number
   };
   /// (second, third) = matrix · (barycentrics − corner)
   struct Entry {
@@ -49,7 +44,10 @@ class SubfaceLookup {
   /// Whether the triangle meets the cell, or nearly.
   static bool reaches(const Entry& entry, std::uint32_t x, std::uint32_t y, std::uint32_t width);
 
+  SubfacePoint search(const Raster& raster, Vec2 barycentrics) const;
+
   std::vector<Raster> rasters_;
+  std::vector<SubfaceLattice> lattices_;
   std::vector<std::uint32_t> cell_begin_;  ///< into cell_entries_; one more than cells for every raster
   std::vector<std::uint32_t> cell_entries_;
   std::vector<Entry> entries_;

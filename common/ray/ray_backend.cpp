@@ -37,6 +37,12 @@ void load_packet(RTCRay8& query, std::span<const Ray> rays, int (&valid)[packet]
   }
 }
 
+/// Copies a column's values from `first` on, `count` of a packet, and repeats the last behind them.
+void load_column(float (&column)[packet], std::span<const float> values, std::size_t first, std::size_t count) {
+  std::copy_n(values.data() + first, count, column);
+  std::fill(column + count, column + packet, column[count - 1]);
+}
+
 }  // namespace
 
 struct RayBackend::Impl {
@@ -137,6 +143,39 @@ void RayBackend::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) co
       const bool found = query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       hits[first + i] = found ? Hit{query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]} : Hit{};
     }
+  }
+}
+
+void RayBackend::closest_hits(const RayFan& fan, const FanHits& hits) const {
+  const std::size_t total = fan.x.size();
+  GIBENCH_CHECK(fan.y.size() == total && fan.z.size() == total && hits.triangle.size() == total && hits.u.size() == total &&
+                    hits.v.size() == total,
+                "the columns of a fan are of one length");
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  alignas(32) RTCRayHit8 query;
+  alignas(32) int valid[packet];
+  for (std::size_t i = 0; i < packet; ++i) {
+    query.ray.org_x[i] = fan.origin.x, query.ray.org_y[i] = fan.origin.y, query.ray.org_z[i] = fan.origin.z;
+    query.ray.tnear[i] = query.ray.time[i] = 0.0F;
+    query.ray.mask[i] = ~0U, query.ray.id[i] = 0, query.ray.flags[i] = 0;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  for (std::size_t first = 0; first < total; first += packet) {
+    const std::size_t count = std::min(packet, total - first);
+    load_column(query.ray.dir_x, fan.x, first, count);
+    load_column(query.ray.dir_y, fan.y, first, count);
+    load_column(query.ray.dir_z, fan.z, first, count);
+    for (std::size_t i = 0; i < packet; ++i) {
+      valid[i] = i < count ? -1 : 0;
+      query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+      query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+      query.hit.primID[i] = Hit::none;  // left where nothing is met: the scene is one geometry
+    }
+    rtcIntersect8(valid, impl_->scene, &context, &query);
+    std::copy_n(query.hit.primID, count, hits.triangle.data() + first);
+    std::copy_n(query.hit.u, count, hits.u.data() + first);
+    std::copy_n(query.hit.v, count, hits.v.data() + first);
   }
 }
 

@@ -27,6 +27,18 @@ struct Hit {
   explicit operator bool() const { return triangle != none; }
 };
 
+/// Rays from one point, their directions in columns of one length; t from 0 to infinity.
+struct RayFan {
+  Vec3 origin;
+  std::span<const float> x, y, z;  ///< of the directions
+};
+
+/// What a fan's rays meet, in columns as long as the fan: Hit without the distance.
+struct FanHits {
+  std::span<std::uint32_t> triangle;
+  std::span<float> u, v;  ///< undefined where no triangle is met
+};
+
 /// A bounding volume hierarchy over the scene's triangles; immutable, shared by all threads. Robust mode.
 class RayBackend {
  public:
@@ -40,6 +52,8 @@ class RayBackend {
   /// Batches, traced in packets in the order given: equal to one by one up to rounding of the distance.
   void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
+  /// The same hits, for rays that lie in columns as packets want them.
+  void closest_hits(const RayFan& fan, const FanHits& hits) const;
 
   /// Bytes that Embree holds for the hierarchy.
   std::size_t bytes() const;

@@ -31,6 +31,10 @@ class RayStream {
     closest_hit_ += rays.size();
     backend_.closest_hits(rays, hits);
   }
+  void closest_hits(const RayFan& fan, const FanHits& hits) {
+    closest_hit_ += fan.x.size();
+    backend_.closest_hits(fan, hits);
+  }
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) {
     occlusion_ += rays.size();
     backend_.occlusions(rays, occluded);

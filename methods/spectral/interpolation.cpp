@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::size_t triangle_chunk = 512;
 constexpr float inset = 1.0F / 64.0F;  // of a triangle: rays run between points just inside its corners
+constexpr float tip = inset / 16.0F;   // where a corner itself is looked for: a surface between there and the inset cuts it off
 constexpr float lift = 1.0F / 256.0F;  // of a triangle's size: how far above it
 
 /// The places just above a triangle's corners.
 struct Lifted {
-  std::array<Vec3, 3> corners;
+  std::array<Vec3, 3> corners, tips;
   Vec3 up;  // metres
 
   Lifted(const World& world, const SamplingMesh& mesh, std::uint32_t triangle) {
@@ -26,13 +27,24 @@ struct Lifted {
     const float height = std::max(world.offset(centre), lift * std::sqrt(glm::length(glm::cross(p[1] - p[0], p[2] - p[0]))));
     up = (face.front ? height : -height) * front;
     const Vec3 middle = (p[0] + p[1] + p[2]) / 3.0F;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = glm::mix(p[i], middle, 3.0F * inset) + up;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = glm::mix(p[i], middle, 3.0F * inset) + up;
+      tips[i] = glm::mix(p[i], middle, 3.0F * tip) + up;
+    }
   }
 };
 
 }  // namespace
 
-Interpolation::Interpolation(const World& world, const SamplingMesh& mesh, Task& task) : cut_edges_(mesh.triangles().size(), 0) {
+Interpolation::Interpolation(const World& world, SamplingMesh& mesh, Task& task) : cut_edges_(mesh.triangles().size(), 0) {
+  cut_edges(world, mesh, task);
+  if (task.cancelled()) return;
+  mesh.place_sites(world, cut_edges_);
+  find_sites(world, mesh);
+  find_hidden_sites(world, mesh, task);
+}
+
+void Interpolation::cut_edges(const World& world, const SamplingMesh& mesh, Task& task) {
   task.parallel_chunks(cut_edges_.size(), triangle_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
     for (std::size_t t = range.begin; t < range.end; ++t) {
@@ -41,8 +53,36 @@ Interpolation::Interpolation(const World& world, const SamplingMesh& mesh, Task&
         const Vec3 &from = lifted.corners[i], &to = lifted.corners[(i + 1) % 3];
         if (rays.occluded({from, 0.0F, to - from, 1.0F})) cut_edges_[t] = static_cast<std::uint8_t>(cut_edges_[t] | (1U << i));
       }
+      for (std::size_t c = 0; c < 3 && cut_edges_[t] == 0; ++c)
+        if (rays.occluded({lifted.tips[c], 0.0F, lifted.corners[c] - lifted.tips[c], 1.0F})) cut_edges_[t] = hidden_site;
     }
   });
+}
+
+void Interpolation::find_sites(const World& world, const SamplingMesh& mesh) {
+  for (std::uint32_t vertex = 0; vertex < mesh.vertices().size(); ++vertex)
+    sites_.push_back(mesh.sample(world, vertex, mesh.sites(vertex).front()).position);
+}
+
+/// A site may lie beyond a surface that passes between it and a triangle without touching that triangle's edges.
+void Interpolation::find_hidden_sites(const World& world, const SamplingMesh& mesh, Task& task) {
+  task.parallel_chunks(cut_edges_.size(), triangle_chunk, [&](const ChunkRange& range) {
+    RayStream rays = task.rays(world);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      const Lifted lifted(world, mesh, t);
+      for (std::size_t c = 0; c < 3 && !torn(t); ++c) {
+        const Vec3 &from = lifted.corners[c], to = site(mesh, t, c, from, lifted.up);
+        if (to != from && rays.occluded({from, 0.0F, to - from, 1.0F})) cut_edges_[t] = hidden_site;
+      }
+    }
+  });
+}
+
+Vec3 Interpolation::site(const SamplingMesh& mesh, std::uint32_t triangle, std::size_t corner, const Vec3& own,
+                         const Vec3& up) const {
+  const std::uint32_t vertex = mesh.triangles()[triangle].corners[corner];
+  return mesh.sites(vertex).size() == 1 ? sites_[vertex] + up : own;
 }
 
 MeshPoint Interpolation::seen(const World& world, const SamplingMesh& mesh, MeshPoint point, const Vec3& position,
@@ -53,7 +93,8 @@ MeshPoint Interpolation::seen(const World& world, const SamplingMesh& mesh, Mesh
   MeshPoint kept = point;
   float sum = 0.0F;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (rays.occluded({from, 0.0F, lifted.corners[i] - from, 1.0F})) kept.weights[i] = 0.0F;
+    const Vec3 to = site(mesh, point.triangle, i, lifted.corners[i], lifted.up);
+    if (rays.occluded({from, 0.0F, to - from, 1.0F})) kept.weights[i] = 0.0F;
     sum += kept.weights[i];
   }
   if (!(sum > 0.0F)) return point;

@@ -16,19 +16,31 @@ class Interpolation {
   Interpolation() = default;
   /// For a scene whose surfaces do not hide one another: no edge is cut.
   explicit Interpolation(const SamplingMesh& mesh) : cut_edges_(mesh.triangles().size(), 0) {}
-  /// Three occlusion rays a mesh triangle, along its edges just above it.
-  Interpolation(const World& world, const SamplingMesh& mesh, Task& task);
+  /// Occlusion rays in every mesh triangle, just above it: three along its edges, three into its corners, and from those to where
+  /// their vertices are looked at from. Vertices beside a surface that cuts triangles around them get their sites in those that
+  /// it does not cut.
+  Interpolation(const World& world, SamplingMesh& mesh, Task& task);
 
   /// Whether the edge from corner `i` to the next is cut by a surface.
   bool edge_cut(std::uint32_t triangle, std::uint32_t i) const { return ((cut_edges_[triangle] >> i) & 1U) != 0; }
+  /// Whether some of its points may not see all its corners' sites.
   bool torn(std::uint32_t triangle) const { return cut_edges_[triangle] != 0; }
-  /// The point with only the corners that it sees, weights again with sum 1; as it was where it sees none.
+  /// The point with only the corners whose sites it sees, weights again with sum 1; as it was where it sees none.
   MeshPoint seen(const World& world, const SamplingMesh& mesh, MeshPoint point, const Vec3& position, RayStream& rays) const;
 
-  std::size_t bytes() const { return cut_edges_.size(); }
+  std::size_t bytes() const { return cut_edges_.size() + sites_.size() * sizeof(Vec3); }
 
  private:
-  std::vector<std::uint8_t> cut_edges_;  ///< bits of the edges of every mesh triangle
+  static constexpr std::uint8_t hidden_site = 1U << 3U;  ///< no edge is cut, but a corner is cut off, or its site lies beyond
+
+  void cut_edges(const World& world, const SamplingMesh& mesh, Task& task);
+  void find_sites(const World& world, const SamplingMesh& mesh);
+  void find_hidden_sites(const World& world, const SamplingMesh& mesh, Task& task);
+  /// Just above where a corner of a triangle takes its value from.
+  Vec3 site(const SamplingMesh& mesh, std::uint32_t triangle, std::size_t corner, const Vec3& own, const Vec3& up) const;
+
+  std::vector<std::uint8_t> cut_edges_;  ///< bits of the edges of every mesh triangle; hidden_site
+  std::vector<Vec3> sites_;              ///< of every vertex with one site: where it is
 };
 
 }  // namespace gibench::spectral

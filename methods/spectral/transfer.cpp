@@ -40,7 +40,7 @@ class TransferMaker {
     task_.count("vertices", transfer().mesh->vertices().size());
     if (transfer().mesh->refused_faces() > 0) task_.count("non_manifold_faces", transfer().mesh->refused_faces());
     task_.progress("sampling mesh", 0.02);
-    const SamplingMesh& mesh = *transfer().mesh;
+    SamplingMesh& mesh = *transfer().mesh;
     transfer().interpolation = wish_.occlusion ? Interpolation(world_, mesh, task_) : Interpolation(mesh);
   }
 
@@ -143,8 +143,7 @@ class TransferMaker {
       const auto fill = [&](const VertexRays& by, std::vector<float>& rows) {
         TransferRows maker(transfer().basis, by);
         rows.resize((end - begin) * columns);
-        for (std::size_t slot = begin; slot < end; ++slot)
-          maker.irradiance(transfer().vertex_of_slot[slot], stream, std::span(rows).subspan((slot - begin) * columns, columns));
+        maker.irradiance(std::span(transfer().vertex_of_slot).subspan(begin, end - begin), stream, rows);
       };
       fill(rays, pilot.rows);
       for (std::size_t i = 0; i < 2; ++i) fill(others[i], pilot.others[i]);
@@ -188,18 +187,13 @@ class TransferMaker {
     const std::size_t columns = transfer().basis.columns(), slices = transfer().harmonic_slices.size();
     RayStream stream = task_.rays(world_);
     TransferRows maker(transfer().basis, rays);
+    const std::span vertices = std::span(transfer().vertex_of_slot).subspan(begin, end - begin);
+    const std::span glossy_rows = std::span(transfer().glossy_row).subspan(begin, end - begin);
     std::vector<std::vector<float>> rows(1 + slices);  // of the irradiance and of every slice, one behind the other
-    std::vector<float> of_vertex(columns * (1 + slices));
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      const std::uint32_t vertex = transfer().vertex_of_slot[slot];
-      const bool glossy = transfer().glossy_row[slot] != Transfer::no_row;
-      if (glossy) maker.with_harmonics(vertex, stream, of_vertex);
-      else maker.irradiance(vertex, stream, std::span(of_vertex).first(columns));
-      for (std::size_t k = 0; k < (glossy ? rows.size() : 1); ++k) {
-        const auto row = std::span(of_vertex).subspan(k * columns, columns);
-        rows[k].insert(rows[k].end(), row.begin(), row.end());
-      }
-    }
+    rows.front().resize(vertices.size() * columns);
+    if (std::all_of(glossy_rows.begin(), glossy_rows.end(), [](std::uint32_t row) { return row == Transfer::no_row; }))
+      maker.irradiance(vertices, stream, rows.front());
+    else make_glossy_rows(maker, vertices, glossy_rows, stream, rows);
     Made made{TransferMatrix::Section(transfer().one_bounce), {}};
     made.irradiance.add_block(rows.front());
     for (std::size_t k = 0; k < slices; ++k) {
@@ -207,6 +201,27 @@ class TransferMaker {
       if (!rows[1 + k].empty()) made.slices.back().add_block(rows[1 + k]);
     }
     return made;
+  }
+
+  /// One vertex after the other: those without gloss have no rows in the slices.
+  static void make_glossy_rows(TransferRows& maker, std::span<const std::uint32_t> vertices,
+                               std::span<const std::uint32_t> glossy_rows, RayStream& stream,
+                               std::vector<std::vector<float>>& rows) {
+    const std::size_t columns = rows.front().size() / vertices.size();
+    std::vector<float> all(columns * rows.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const std::span<float> irradiance = std::span(rows.front()).subspan(i * columns, columns);
+      if (glossy_rows[i] == Transfer::no_row) {
+        maker.irradiance(vertices[i], stream, irradiance);
+        continue;
+      }
+      maker.with_harmonics(vertices[i], stream, all);
+      std::copy_n(all.begin(), columns, irradiance.begin());
+      for (std::size_t k = 1; k < rows.size(); ++k) {
+        const std::span<float> row = std::span(all).subspan(k * columns, columns);
+        rows[k].insert(rows[k].end(), row.begin(), row.end());
+      }
+    }
   }
 
   void fold_bounces(const TrialLights& lights) {

@@ -7,25 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "methods/spectral/direction_set.h"
 #include "methods/spectral/interpolation.h"
 
 namespace gibench::spectral {
-
-/// Cosine-distributed directions: one low-discrepancy set for all vertices (an Owen-scrambled Sobol net), each of which turns
-/// it about the normal and shifts it in elevation (Cranley and Patterson 1976). Neighbours in the square stand next to one
-/// another, so that rays traced together run together.
-class DirectionSet {
- public:
-  DirectionSet() = default;
-  DirectionSet(int rays, std::uint64_t seed);
-
-  std::size_t size() const { return elevation_.size(); }
-  /// In the frame whose z axis is the normal; `directions` as long as the set.
-  void directions(std::uint64_t seed, std::uint32_t vertex, std::span<Vec3> directions) const;
-
- private:
-  std::vector<float> elevation_, cosine_, sine_;  // squared radius in the disc, and the azimuth's
-};
 
 /// One ray that met the mesh: the three slots of its hit and their weights, and where it came from.
 struct MeshHit {
@@ -47,15 +32,23 @@ class VertexRays {
 
  private:
   struct Leaving;
+  /// What a batch met, in columns.
+  struct Met;
+  /// Of a mesh triangle.
+  struct Corners {
+    std::array<std::uint32_t, 3> slots;
+    std::uint32_t torn;
+  };
+
   std::vector<Leaving> leaving(std::uint32_t vertex) const;
-  std::size_t trace_batch(std::span<const Ray> batch, float ray_weight, RayStream& rays, MeshHit* hits) const;
+  std::size_t meet(const DirectionBatch& batch, const Met& met, float ray_weight, RayStream& rays, MeshHit* hits) const;
 
   const World& world_;
   const SamplingMesh& mesh_;
   const Interpolation& interpolation_;
   DirectionSet set_;
   std::uint64_t seed_;
-  std::vector<std::array<std::uint32_t, 3>> triangle_slots_;
+  std::vector<Corners> corners_;
 };
 
 }  // namespace gibench::spectral

@@ -147,6 +147,25 @@ TEST_P(RayBatches, EqualOneByOne) {
   }
 }
 
+TEST_P(RayBatches, FansEqualOneByOne) {
+  const Scene scene = test::random_triangles(1500, 1.0F, 0.25F, 9);
+  const RayBackend backend(scene, 1);
+  const Vec3 origin(0.1F, -0.05F, 0.2F);
+  std::vector<float> x, y, z;
+  for (const Ray& ray : random_rays(GetParam(), 1.2F, 11))
+    x.push_back(ray.direction.x), y.push_back(ray.direction.y), z.push_back(ray.direction.z);
+  std::vector<std::uint32_t> triangle(x.size());
+  std::vector<float> u(x.size()), v(x.size());
+  backend.closest_hits({origin, x, y, z}, {triangle, u, v});
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Hit single = backend.closest_hit({origin, 0.0F, {x[i], y[i], z[i]}});
+    ASSERT_EQ(triangle[i], single.triangle) << "ray " << i;
+    if (!single) continue;
+    EXPECT_NEAR(u[i], single.u, 2e-4F);
+    EXPECT_NEAR(v[i], single.v, 2e-4F);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Lengths, RayBatches, testing::Values(0, 1, 7, 8, 16, 17, 63, 64, 65, 1000));
 
 TEST(RayBackend, DirectionsNeedNotBeUnit) {

@@ -151,9 +151,17 @@ TEST(SpectralTransfer, CompressionAddsNoMoreErrorThanAskedForToLightThatWasNotTr
 
 TEST(SpectralTransfer, RaysAboutOneVertexAreCosineDistributedAndDiffer) {
   const DirectionSet set(4096, 1);
-  std::vector<Vec3> first(set.size()), second(set.size());
-  set.directions(1, 0, first);
-  set.directions(1, 1, second);
+  const auto directions_of = [&](std::uint32_t vertex) {
+    const DirectionSet::Turn turn = DirectionSet::turn(1, vertex, {0.0F, 0.0F, 1.0F});
+    std::vector<Vec3> directions;
+    DirectionBatch batch;
+    for (std::size_t begin = 0; begin < set.size(); begin += batch.count) {
+      set.directions(turn, begin, batch);
+      for (std::size_t i = 0; i < batch.count; ++i) directions.push_back(batch.direction(i));
+    }
+    return directions;
+  };
+  const std::vector<Vec3> first = directions_of(0), second = directions_of(1);
   EXPECT_NE(first.front(), second.front());
   for (const auto& directions : {first, second}) {
     Vec3d mean(0.0);
@@ -188,6 +196,48 @@ TEST(SpectralTransfer, NothingPassesAThinWall) {
     const MeshVertex& vertex = room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]];
     if (vertex.object == 1 && std::fabs(vertex.normal.x) < 0.5F) continue;  // the wall's edges lie in the room's own walls
     EXPECT_NEAR(answer[slot].r, is_lit(slot) ? pi : 0.0F, 0.03F * pi);
+  }
+}
+
+TEST(SpectralTransfer, RowsOfABlockAreThoseOfItsVertices) {
+  SpectralRoom room(closed_room(), {{"vertices", "300"}, {"basis_functions", "40"}, {"rays", "64"}, {"compression_error", "0"}});
+  const std::size_t columns = room.transfer().basis.columns();
+  const VertexRays rays = room.rays();
+  TransferRows maker(room.transfer().basis, rays);
+  RayStream stream = room.task.rays(room.world);
+  std::vector<float> together(5 * columns), alone(columns);
+  maker.irradiance(std::span(room.transfer().vertex_of_slot).subspan(40, 5), stream, together);
+  for (std::size_t i = 0; i < 5; ++i) {
+    maker.irradiance(room.transfer().vertex_of_slot[40 + i], stream, alone);
+    for (std::size_t c = 0; c < columns; ++c) EXPECT_NEAR(together[i * columns + c], alone[c], 1e-5F);
+  }
+}
+
+TEST(SpectralTransfer, NoLightOfAFloorIsTakenFromUnderTheBlocksThatStandOnIt) {
+  // Hollow blocks sunk into the floor at several angles: vertices under them see nothing, and beside them all of the room.
+  for (const float degrees : {3.0F, 17.0F, 30.0F, 45.0F}) {
+    SceneBuilder builder;
+    const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
+    builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+    builder.block("block", white, {0.3F, -0.1F, 0.35F}, {0.6F, 0.4F, 0.7F}, degrees);
+    SpectralRoom room(builder.build("block on a floor"),
+                      {{"vertices", "3000"}, {"basis_functions", "16"}, {"rays", "128"}, {"compression_error", "0"}});
+    const VertexRays rays = room.rays();
+    TransferRows rows(room.transfer().basis, rays);
+    RayStream stream = room.task.rays(room.world);
+    std::vector<std::vector<float>> weights(room.slots(), std::vector<float>(room.slots()));
+    std::vector<float> seen(room.slots(), 0.0F);
+    for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
+      rows.nodal(room.transfer().vertex_of_slot[slot], stream, weights[slot]);
+      for (const float weight : weights[slot]) seen[slot] += weight / pi;
+    }
+    for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
+      if (seen[slot] < 0.5F) continue;
+      float dark = 0.0F;
+      for (std::uint32_t j = 0; j < room.slots(); ++j) dark += seen[j] < 0.5F ? weights[slot][j] / pi : 0.0F;
+      const Vec3 at = room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]].position;
+      EXPECT_LT(dark, 0.02F) << degrees << " degrees, at " << at.x << " " << at.y << " " << at.z;
+    }
   }
 }
 
