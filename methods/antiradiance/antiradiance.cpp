@@ -99,7 +99,7 @@ class Antiradiance : public TransportMethod {
     task.progress("elements", 0.1);
     if (task.cancelled()) return;
     if (answers_accessibility()) {
-      accessibility_.emplace(parts_->elements, parts_->hierarchy, settings_.far_enough);
+      accessibility_.emplace(parts_->elements, parts_->hierarchy, settings_.far_enough, settings_.sectors);
       accessibility_->compute(settings_.passes, task);
       task.count("blockers", accessibility_->evaluations());
     } else if (settings_.oracle == OracleKind::geometry) {
@@ -257,7 +257,8 @@ MethodEntry antiradiance_entry() {
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Antiradiance>(settings_from(parameters));
           },
-          {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}}};
+          {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}},
+          "mode"};
 }
 
 }  // namespace gibench

@@ -109,7 +109,8 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
   refine_factors(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
   if (visibility == Visibility::traced)
     trace_links(world, parts.elements, parts.hierarchy, settings.visibility_rays, linking.links, task);
-  if (visibility == Visibility::nearest) linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, task);
+  if (visibility == Visibility::nearest)
+    linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, settings.bin_winner, task);
   if (by_direction) {
     std::vector<Vec3> ways;
     split_near_links(parts.elements, parts.hierarchy, linking.links, ways, task);
