@@ -102,14 +102,17 @@ float Accessibility::of_side(std::size_t leaf, bool front) const {
   return sum;
 }
 
-Accessibility::Sectors Accessibility::sectors_of(const Vec3& direction, const Vec3& normal) const {
-  const bool front = glm::dot(direction, normal) > 0.0F;
+/// Those sectors of the four around the direction whose middles lie on the surface's side of it; all where none does.
+Accessibility::Sectors Accessibility::sectors_of(const DirectionBins::Place& around, bool front, const Vec3& normal) const {
   if (!bins_) return {{static_cast<std::uint16_t>(front ? 0 : 1)}, {1.0F}};
-  const DirectionBins::Place place = bins_->place(direction);
-  const DirectionMask mask = bins_->mask(place, normal, front ? 1.0F : -1.0F);
-  Sectors result;
-  result.index = bins_->bins_of(place.quad);
-  for (std::size_t k = 0; k < 4; ++k) result.share[k] = static_cast<float>(mask.weights[k]) / 255.0F;
+  Sectors result{bins_->bins_of(around.quad), around.shares};
+  float sum = 0.0F;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if ((glm::dot(normal, bins_->direction(result.index[k])) > 0.0F) != front) result.share[k] = 0.0F;
+    sum += result.share[k];
+  }
+  if (!(sum > 0.0F)) return {result.index, around.shares};
+  for (float& share : result.share) share /= sum;
   return result;
 }
 
@@ -124,10 +127,13 @@ void Accessibility::side_shares(const Vec3& normal, std::span<float> shares) con
 
 void Accessibility::add(float form_factor, const Vec3& direction, const Vec3& blocker, const float* accessible,
                         const Receiver& receiver, Blocked& blocked) const {
-  const Sectors behind = sectors_of(direction, blocker), here = sectors_of(direction, receiver.normal);
+  const DirectionBins::Place around = bins_ ? bins_->place(direction) : DirectionBins::Place{};
+  const bool shows_front = glm::dot(direction, blocker) < 0.0F;
+  const Sectors behind = sectors_of(around, !shows_front, blocker),
+                here = sectors_of(around, receiver.side > 0.0F, receiver.normal);
   float reached = 0.0F;
   for (std::size_t k = 0; k < 4; ++k) reached += behind.share[k] * accessible[behind.index[k]];
-  std::vector<float>& sheet = blocked.sheet[glm::dot(direction, blocker) < 0.0F ? 0 : 1];
+  std::vector<float>& sheet = blocked.sheet[shows_front ? 0 : 1];
   for (std::size_t k = 0; k < 4; ++k) {
     const float share = form_factor * here.share[k];
     blocked.scaled[here.index[k]] += share * reached;

@@ -59,8 +59,8 @@ class Accessibility {
     std::uint32_t own = no_element;
     Vec3 looks() const { return normal * side; }
   };
-  /// Of a unit direction on the side of the normal that it lies on.
-  Sectors sectors_of(const Vec3& direction, const Vec3& normal) const;
+  /// Of a direction, on the front or the back of a surface with this normal.
+  Sectors sectors_of(const DirectionBins::Place& around, bool front, const Vec3& normal) const;
   /// What of every sector a side of a surface sees, share of the hemisphere.
   void side_shares(const Vec3& normal, std::span<float> shares) const;
   void block(const Receiver& receiver, Blocked& blocked) const;

@@ -257,7 +257,7 @@ MethodEntry antiradiance_entry() {
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Antiradiance>(settings_from(parameters));
           },
-          {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}},
+          {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}, {"far_enough", "0.05"}},
           "mode"};
 }
 

@@ -22,7 +22,9 @@ constexpr double krylov_vectors = 8.0;
 
 SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   SamplingMeshOptions options;
-  options.edge_length = edge_length_for(world, static_cast<double>(settings.elements));
+  // Slivers have length without area: they are not cut into more pieces along it than there are to be elements.
+  options.edge_length = std::max(edge_length_for(world, static_cast<double>(settings.elements)),
+                                 static_cast<double>(world.diagonal()) / static_cast<double>(settings.elements));
   options.crease_degrees = settings.crease_degrees;
   options.keep_quads = true;
   return options;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -143,7 +144,8 @@ Scene small_blocker(float shift) {
 }
 
 TEST(ImplicitVisibility, LetsASpeckHideAWall) {
-  const Setting implicit{{"mode", "implicit"}, {"elements", "800"}}, radiosity{{"mode", "radiosity"}, {"elements", "800"}};
+  const Setting implicit{{"mode", "implicit"}, {"elements", "800"}, {"bin_winner", "links"}},
+      radiosity{{"mode", "radiosity"}, {"elements", "800"}};
   const auto lost = [&](float shift) {
     Solved traced(small_blocker(shift), radiosity), nearest(small_blocker(shift), implicit);
     std::vector<SurfaceSample> samples;
@@ -156,6 +158,42 @@ TEST(ImplicitVisibility, LetsASpeckHideAWall) {
   EXPECT_GT(here, 0.05);
   // And as they move by a twentieth, other bins are lost: what a moving blocker does flickers.
   EXPECT_GT(std::fabs(lost(0.05F) - here), 0.005);
+}
+
+TEST(ImplicitVisibility, ComesToTracedVisibilityAsBinsGrow) {
+  const Scene scene = test::box_scene();
+  Solved traced(scene, {{"mode", "radiosity"}, {"elements", "800"}, {"visibility_rays", "16"}});
+  const auto samples = traced.samples();
+  const auto expected = traced.irradiance(samples);
+  for (const char* winner : {"middle", "links"}) {
+    std::vector<double> differences;
+    for (const char* bins : {"8", "16", "24"}) {
+      Solved nearest(scene, {{"mode", "implicit"}, {"elements", "800"}, {"bins", bins}, {"bin_winner", winner}});
+      differences.push_back(difference(nearest.irradiance(samples), expected));
+    }
+    EXPECT_LT(differences[1], differences[0]) << winner;
+    EXPECT_LT(differences[2], differences[1]) << winner;
+    EXPECT_LT(differences[2], std::string(winner) == "middle" ? 0.06 : 0.2) << winner;
+  }
+}
+
+/// No iteration may bring more than there is, whatever the bins: cut off after any term, or run to the end.
+TEST(Antiradiance, FurnaceNeverGainsEnergyAtAnyIterationAndBins) {
+  constexpr double albedo = 0.8;
+  const double exact = pi_double * albedo / (1.0 - albedo);
+  test::SceneBuilder builder;
+  builder.room("room", builder.diffuse("glow", Rgb(0.8F), Rgb(1.0F)), Vec3(0.0F), Vec3(1.0F));
+  const Scene cube = builder.build("furnace of a cube"), irregular = furnace(0.8F);
+  for (const Scene* scene : {&cube, &irregular})
+    for (const char* bins : {"4", "8", "12"})
+      for (const char* iterations : {"1", "2", "3", "5", "9", "0"}) {
+        Solved solved(*scene, {{"elements", "500"}, {"bins", bins}, {"iterations", iterations}, {"tolerance", "0.02"}});
+        ASSERT_TRUE(succeeded(solved.lit.termination)) << solved.lit.message;
+        const std::string what = scene->name + ", bins " + bins + ", iterations " + iterations;
+        double most = 0.0;
+        for (const Rgb& value : solved.irradiance(solved.samples(1000))) most = std::max(most, static_cast<double>(value.g));
+        EXPECT_LE(most, 1.02 * exact) << what;
+      }
 }
 
 TEST(Antiradiance, SceneOfManySheetsEndsInSuccessOrAClearReport) {
