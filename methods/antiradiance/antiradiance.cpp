@@ -127,7 +127,10 @@ class Antiradiance : public TransportMethod {
     indirect_.clear();
     by_direction_.resize(0);
     if (answers_accessibility()) {
-      sky_.emplace(world(), lighting);
+      DirectLightOptions options;
+      options.tests_visibility = tests_visibility();
+      options.glossy = !plan().forbids(Effect::glossy_final_bounce);
+      sky_.emplace(world(), lighting, options);
       return;
     }
     if (!parts_ || direct_light().dark()) {

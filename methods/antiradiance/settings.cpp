@@ -37,7 +37,7 @@ ParameterSchema settings_schema() {
        65536,
        {},
        "rays an element that tell what its form factors must sum to; 0: they are only kept to one at most"},
-      {"bins", Whole{8}, 4, 128, {}, "directional bins along a side of the map of the sphere: n means n² bins; even"},
+      {"bins", Whole{12}, 4, 128, {}, "directional bins along a side of the map of the sphere: n means n² bins; even"},
       {"bin_winner",
        std::string("middle"),
        0,
@@ -100,6 +100,8 @@ Settings settings_from(const Parameters& parameters) {
   settings.passes = whole("passes");
   settings.sectors = whole("sectors") > 1 ? std::max(4, whole("sectors") + whole("sectors") % 2) : 1;
   settings.far_enough = real("far_enough");
+  // Accessibility is found without any ray: what is inside geometry is hidden by it, as passes see to.
+  if (settings.mode == Mode::accessibility) settings.closure_rays = settings.backface_rays = 0;
   settings.memory_budget = parameters.real("memory_budget") * 1024.0 * 1024.0;
   return settings;
 }
