@@ -144,7 +144,7 @@ Scene small_blocker(float shift) {
 }
 
 TEST(ImplicitVisibility, LetsASpeckHideAWall) {
-  const Setting implicit{{"mode", "implicit"}, {"elements", "800"}, {"bin_winner", "links"}},
+  const Setting implicit{{"mode", "implicit"}, {"elements", "800"}, {"bins", "8"}, {"bin_winner", "links"}},
       radiosity{{"mode", "radiosity"}, {"elements", "800"}};
   const auto lost = [&](float shift) {
     Solved traced(small_blocker(shift), radiosity), nearest(small_blocker(shift), implicit);
