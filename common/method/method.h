@@ -120,6 +120,8 @@ struct MethodEntry {
   std::unique_ptr<TransportMethod> (*make)(const Parameters&);
   /// Settings for a rough answer in little time, a second or less in a simple room: what the contract's tests run on.
   std::vector<std::pair<std::string, std::string>> quick = {};
+  /// The parameter, if any, whose choices are techniques of their own: each has to keep the contract.
+  std::string technique_parameter = {};
 };
 
 }  // namespace gibench

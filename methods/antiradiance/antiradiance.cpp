@@ -99,7 +99,7 @@ class Antiradiance : public TransportMethod {
     task.progress("elements", 0.1);
     if (task.cancelled()) return;
     if (answers_accessibility()) {
-      accessibility_.emplace(parts_->elements, parts_->hierarchy, settings_.far_enough);
+      accessibility_.emplace(parts_->elements, parts_->hierarchy, settings_.far_enough, settings_.sectors);
       accessibility_->compute(settings_.passes, task);
       task.count("blockers", accessibility_->evaluations());
     } else if (settings_.oracle == OracleKind::geometry) {
@@ -127,7 +127,10 @@ class Antiradiance : public TransportMethod {
     indirect_.clear();
     by_direction_.resize(0);
     if (answers_accessibility()) {
-      sky_.emplace(world(), lighting);
+      DirectLightOptions options;
+      options.tests_visibility = tests_visibility();
+      options.glossy = !plan().forbids(Effect::glossy_final_bounce);
+      sky_.emplace(world(), lighting, options);
       return;
     }
     if (!parts_ || direct_light().dark()) {
@@ -257,7 +260,8 @@ MethodEntry antiradiance_entry() {
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Antiradiance>(settings_from(parameters));
           },
-          {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}}};
+          {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}, {"far_enough", "0.05"}},
+          "mode"};
 }
 
 }  // namespace gibench

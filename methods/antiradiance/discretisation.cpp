@@ -24,7 +24,9 @@ constexpr double krylov_vectors = 8.0;
 
 SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   SamplingMeshOptions options;
-  options.edge_length = edge_length_for(world, static_cast<double>(settings.elements));
+  // Slivers have length without area: they are not cut into more pieces along it than there are to be elements.
+  options.edge_length = std::max(edge_length_for(world, static_cast<double>(settings.elements)),
+                                 static_cast<double>(world.diagonal()) / static_cast<double>(settings.elements));
   options.crease_degrees = settings.crease_degrees;
   options.keep_quads = true;
   return options;
@@ -112,7 +114,8 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
   refine_factors(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
   if (visibility == Visibility::traced)
     trace_links(world, parts.elements, parts.hierarchy, settings.visibility_rays, linking.links, task);
-  if (visibility == Visibility::nearest) linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, task);
+  if (visibility == Visibility::nearest)
+    linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, settings.bin_winner, task);
   if (by_direction) {
     std::vector<Vec3> ways;
     split_near_links(parts.elements, parts.hierarchy, linking.links, ways, task);

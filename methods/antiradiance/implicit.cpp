@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "methods/antiradiance/bin_transport.h"
@@ -15,8 +16,18 @@ constexpr std::size_t leaf_chunk = 64;
 
 struct Nearest {
   float squared = std::numeric_limits<float>::infinity();
-  float factors = 0.0F;
   std::uint32_t sender = 0;
+  bool found() const { return squared < std::numeric_limits<float>::infinity(); }
+  void offer(float squared_distance, std::uint32_t node) {
+    if (squared_distance < squared) squared = squared_distance, sender = node;
+  }
+};
+
+/// What is known of a bin.
+struct Bin {
+  Nearest across;        ///< its middle: then nothing of the bin is open
+  Nearest pointing;      ///< of the links whose direction lies in it
+  float factors = 0.0F;  ///< of all those links
 };
 
 /// The nodes from the root down to a leaf.
@@ -33,42 +44,71 @@ struct Row {
   std::vector<float> factors;
 };
 
-Row nearest_of(const Hierarchy& hierarchy, const LinkTable& links, const DirectionBins& bins,
+/// A bin that the front of an element looks into.
+struct Look {
+  std::size_t bin;
+  Vec3 direction;  ///< unit, away from the element
+};
+
+/// The sender stands in every bin whose middle it lies across: it is taken as a square, whose disc of the same area would leave
+/// gaps to its neighbours' discs.
+void lay_across(const Node& sender, const Vec3& to_sender, std::uint32_t index, std::span<const Look> looks,
+                std::span<Bin> bins) {
+  const float radius_squared = 0.5F * sender.area, height = glm::dot(sender.normal, to_sender);
+  for (const Look& look : looks) {
+    const float slope = glm::dot(sender.normal, look.direction);
+    const float along = slope < 0.0F ? height / slope : -1.0F;
+    const Vec3 off = look.direction * along - to_sender;
+    if (!(along > 0.0F) || glm::dot(off, off) > radius_squared) continue;
+    bins[look.bin].across.offer(along * along, index);
+  }
+}
+
+Row nearest_of(const Hierarchy& hierarchy, const LinkTable& links, const DirectionBins& directions, BinWinner winner,
                const std::vector<std::uint32_t>& path) {
   const Node& leaf = hierarchy.nodes()[path.back()];
-  std::vector<float> projected(bins.count());
-  projected_bins(bins, leaf.normal, projected);
-  std::vector<Nearest> nearest(bins.count());
+  std::vector<float> projected(directions.count());
+  projected_bins(directions, leaf.normal, projected);
+  std::vector<Look> looks;
+  for (std::size_t b = 0; b < directions.count(); ++b)
+    if (projected[b] < 0.0F) looks.push_back({b, -directions.direction(b)});
+  std::vector<Bin> bins(directions.count());
   for (const std::uint32_t node : path)
     for (std::uint32_t link = links.row_begin[node]; link < links.row_begin[node + 1]; ++link) {
       const std::uint32_t sender = links.senders[link].node();
-      const Vec3 way = leaf.centre - hierarchy.nodes()[sender].centre;
-      const float squared = glm::dot(way, way);
+      const Vec3 to_sender = hierarchy.nodes()[sender].centre - leaf.centre;
+      const float squared = glm::dot(to_sender, to_sender);
       if (!(squared > 0.0F)) continue;
-      const DirectionBins::Place place = bins.place(way / std::sqrt(squared));
+      const DirectionBins::Place place = directions.place(to_sender / -std::sqrt(squared));
       const auto largest = std::max_element(place.shares.begin(), place.shares.end()) - place.shares.begin();
-      Nearest& bin = nearest[bins.bins_of(place.quad)[static_cast<std::size_t>(largest)]];
-      bin.factors += links.factors[link];
-      if (squared < bin.squared) bin.squared = squared, bin.sender = sender;
+      Bin& own = bins[directions.bins_of(place.quad)[static_cast<std::size_t>(largest)]];
+      own.factors += links.factors[link];
+      own.pointing.offer(squared, sender);
+      lay_across(hierarchy.nodes()[sender], to_sender, sender, looks, bins);
     }
   Row row;
-  for (std::size_t b = 0; b < bins.count(); ++b)
-    if (nearest[b].factors > 0.0F) {
-      row.senders.push_back(nearest[b].sender);
-      row.factors.push_back(std::min(nearest[b].factors, std::fabs(projected[b]) / pi));
-    }
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    const auto& [across, pointing, factors] = bins[b];
+    const float whole = std::fabs(projected[b]) / pi;
+    const float factor = across.found() ? whole : std::min(factors, whole);
+    if (!(factor > 0.0F)) continue;
+    const bool by_middle = across.found() && (winner == BinWinner::middle || across.squared < pointing.squared);
+    row.senders.push_back(by_middle ? across.sender : pointing.sender);
+    row.factors.push_back(factor);
+  }
   return row;
 }
 
 }  // namespace
 
-LinkTable nearest_links(const Hierarchy& hierarchy, const LinkTable& links, const DirectionBins& bins, Task& task) {
+LinkTable nearest_links(const Hierarchy& hierarchy, const LinkTable& links, const DirectionBins& bins, BinWinner winner,
+                        Task& task) {
   const auto nodes = hierarchy.nodes();
   std::vector<Row> rows(hierarchy.leaf_count());
   task.parallel_chunks(rows.size(), leaf_chunk, [&](const ChunkRange& range) {
     for (std::size_t leaf = range.begin; leaf < range.end; ++leaf) {
       const auto after = std::upper_bound(hierarchy.roots().begin(), hierarchy.roots().end(), hierarchy.leaf_node(leaf));
-      rows[leaf] = nearest_of(hierarchy, links, bins, path_to(hierarchy, *(after - 1), static_cast<std::uint32_t>(leaf)));
+      rows[leaf] = nearest_of(hierarchy, links, bins, winner, path_to(hierarchy, *(after - 1), static_cast<std::uint32_t>(leaf)));
     }
   });
   LinkTable table;

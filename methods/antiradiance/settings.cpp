@@ -1,5 +1,7 @@
 #include "methods/antiradiance/settings.h"
 
+#include <algorithm>
+
 namespace gibench::antiradiance {
 
 ParameterSchema settings_schema() {
@@ -35,7 +37,13 @@ ParameterSchema settings_schema() {
        65536,
        {},
        "rays an element that tell what its form factors must sum to; 0: they are only kept to one at most"},
-      {"bins", Whole{8}, 4, 128, {}, "directional bins along a side of the map of the sphere: n means n² bins; even"},
+      {"bins", Whole{12}, 4, 128, {}, "directional bins along a side of the map of the sphere: n means n² bins; even"},
+      {"bin_winner",
+       std::string("middle"),
+       0,
+       0,
+       {"middle", "links"},
+       "implicit: of a bin's senders the nearest across its middle stays, or (as in the text) of all whose links point into it"},
       {"residual", 1e-4, 1e-7, 1.0, {}, "the iteration ends when a step is smaller, share of the solution"},
       {"most_iterations", Whole{200}, 1, 100000, {}, "iterations of one solver, before the next one is tried"},
       {"iterations",
@@ -47,6 +55,12 @@ ParameterSchema settings_schema() {
       {"clamp", true, 0, 0, {}, "answer zero where light is negative"},
       {"direct_samples", Whole{4}, 1, 4096, {}, "light samples at each point of a cell"},
       {"passes", Whole{2}, 1, 100, {}, "passes of accessibility, shadow passes of disc-bounce; the last two are blended"},
+      {"sectors",
+       Whole{8},
+       1,
+       32,
+       {},
+       "accessibility by direction: n × n sectors, even, 4 at least; 1: by side alone, as in the text"},
       {"far_enough", 0.02, 0.0, 1.0, {}, "accessibility: largest form factor of a node that stands for its elements; 0: naive"},
       {"memory_budget",
        2048.0,
@@ -77,13 +91,17 @@ Settings settings_from(const Parameters& parameters) {
   settings.visibility_rays = whole("visibility_rays");
   settings.closure_rays = whole("closure_rays");
   settings.bins = whole("bins") + whole("bins") % 2;
+  settings.bin_winner = parameters.text("bin_winner") == "middle" ? BinWinner::middle : BinWinner::links;
   settings.residual = parameters.real("residual");
   settings.most_iterations = whole("most_iterations");
   settings.iterations = whole("iterations");
   settings.clamp = parameters.flag("clamp");
   settings.direct_samples = whole("direct_samples");
   settings.passes = whole("passes");
+  settings.sectors = whole("sectors") > 1 ? std::max(4, whole("sectors") + whole("sectors") % 2) : 1;
   settings.far_enough = real("far_enough");
+  // Accessibility is found without any ray: what is inside geometry is hidden by it, as passes see to.
+  if (settings.mode == Mode::accessibility) settings.closure_rays = settings.backface_rays = 0;
   settings.memory_budget = parameters.real("memory_budget") * 1024.0 * 1024.0;
   return settings;
 }

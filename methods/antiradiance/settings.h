@@ -7,6 +7,9 @@ namespace gibench::antiradiance {
 
 enum class Mode { accessibility, disc_bounce, radiosity, implicit, antiradiance };
 enum class OracleKind { geometry, radiosity };
+/// Which of the senders in a bin of implicit visibility stays: the nearest of those across the bin's middle, or of all whose
+/// links point into it, however little of the bin they fill.
+enum class BinWinner { middle, links };
 
 struct Settings {
   Mode mode = Mode::antiradiance;
@@ -22,6 +25,7 @@ struct Settings {
   int visibility_rays = 0;  ///< a link, in radiosity mode
   int closure_rays = 0;     ///< an element; 0: form factors are only kept from summing to more than one
   int bins = 0;             ///< along a side of the square that the sphere is mapped to
+  BinWinner bin_winner = BinWinner::middle;
   // Iteration.
   double residual = 0;
   int most_iterations = 0;
@@ -30,6 +34,7 @@ struct Settings {
   int direct_samples = 0;
   // Passes of accessibility and disc-bounce.
   int passes = 0;
+  int sectors = 1;           ///< along a side of the map of the sphere; 1: front and back
   float far_enough = 0;      ///< largest form factor of a node that stands for its elements; 0: every element (naive)
   double memory_budget = 0;  ///< bytes
 };

@@ -35,8 +35,8 @@ Rgb mean_radiance(const EnvironmentLight& light) {
 
 }  // namespace
 
-SkyAsAmbient::SkyAsAmbient(const World& world, const Lighting& lighting)
-    : world_(world), others_(world, without_environments(lighting)) {
+SkyAsAmbient::SkyAsAmbient(const World& world, const Lighting& lighting, const DirectLightOptions& options)
+    : world_(world), others_(world, without_environments(lighting), options) {
   for (const Light& light : lighting.lights)
     if (const auto* sky = std::get_if<EnvironmentLight>(&light)) radiance_ += mean_radiance(*sky);
 }

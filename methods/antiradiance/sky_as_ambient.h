@@ -11,7 +11,7 @@ namespace gibench::antiradiance {
 
 class SkyAsAmbient {
  public:
-  SkyAsAmbient(const World& world, const Lighting& lighting);
+  SkyAsAmbient(const World& world, const Lighting& lighting, const DirectLightOptions& options);
 
   /// Irradiance, W/m², or (with a direction towards the viewer) radiance, W/(m² sr), emission included. `of_samples`: how many
   /// are asked together, among which the light samples are shared.

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "common/method/method.h"
 
@@ -25,6 +26,10 @@ struct Check {
 std::span<const Check> all_checks();
 /// Throws std::out_of_range for a name that no check has.
 const Check& find_check(const std::string& name);
+
+/// The registered methods, one whose techniques are choices of a parameter once for each choice: of a name of its own, with
+/// quick settings that choose it.
+const std::vector<MethodEntry>& all_techniques();
 
 /// What is broken; empty where the promise holds.
 std::string violation_of(const Check& check, const MethodEntry& entry);

@@ -1,12 +1,10 @@
-/// Every promise, on every registered method.
+/// Every promise, on every technique of every registered method.
 #include "tests/contract/contract.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <tuple>
-
-#include "methods/registry.h"
 
 namespace gibench::contract {
 namespace {
@@ -17,16 +15,16 @@ class Contract : public testing::TestWithParam<MethodAndCheck> {};
 
 TEST_P(Contract, Holds) {
   const auto& [method, check] = GetParam();
-  const std::string violation = violation_of(all_checks()[check], all_methods()[method]);
+  const std::string violation = violation_of(all_checks()[check], all_techniques()[method]);
   EXPECT_TRUE(violation.empty()) << violation;
 }
 
 std::string name_of(const testing::TestParamInfo<MethodAndCheck>& info) {
-  return all_methods()[std::get<0>(info.param)].name + "_" + all_checks()[std::get<1>(info.param)].name;
+  return all_techniques()[std::get<0>(info.param)].name + "_" + all_checks()[std::get<1>(info.param)].name;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryMethod, Contract,
-                         testing::Combine(testing::Range<std::size_t>(0, all_methods().size()),
+INSTANTIATE_TEST_SUITE_P(EveryTechnique, Contract,
+                         testing::Combine(testing::Range<std::size_t>(0, all_techniques().size()),
                                           testing::Range<std::size_t>(0, all_checks().size())),
                          name_of);
 

@@ -34,8 +34,6 @@ const std::vector<MethodRule>& rules() {
     antiradiance.method = "antiradiance";
     antiradiance.tolerance = 0.05;
     antiradiance.clearance = 0.02;
-    // P35: 7.6% under the plate (one bounce, no direct light there), where all light comes under its edge.
-    antiradiance.short_of = {"P35"};
     return std::vector<MethodRule>{pathtracer, meshless, spectral, antiradiance};
   }();
   return all;

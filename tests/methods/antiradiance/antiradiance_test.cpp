@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -143,7 +144,8 @@ Scene small_blocker(float shift) {
 }
 
 TEST(ImplicitVisibility, LetsASpeckHideAWall) {
-  const Setting implicit{{"mode", "implicit"}, {"elements", "800"}}, radiosity{{"mode", "radiosity"}, {"elements", "800"}};
+  const Setting implicit{{"mode", "implicit"}, {"elements", "800"}, {"bins", "8"}, {"bin_winner", "links"}},
+      radiosity{{"mode", "radiosity"}, {"elements", "800"}};
   const auto lost = [&](float shift) {
     Solved traced(small_blocker(shift), radiosity), nearest(small_blocker(shift), implicit);
     std::vector<SurfaceSample> samples;
@@ -156,6 +158,57 @@ TEST(ImplicitVisibility, LetsASpeckHideAWall) {
   EXPECT_GT(here, 0.05);
   // And as they move by a twentieth, other bins are lost: what a moving blocker does flickers.
   EXPECT_GT(std::fabs(lost(0.05F) - here), 0.005);
+}
+
+TEST(ImplicitVisibility, ComesToTracedVisibilityAsBinsGrow) {
+  const Scene scene = test::box_scene();
+  Solved traced(scene, {{"mode", "radiosity"}, {"elements", "800"}, {"visibility_rays", "16"}});
+  const auto samples = traced.samples();
+  const auto expected = traced.irradiance(samples);
+  for (const char* winner : {"middle", "links"}) {
+    std::vector<double> differences;
+    for (const char* bins : {"8", "16", "24"}) {
+      Solved nearest(scene, {{"mode", "implicit"}, {"elements", "800"}, {"bins", bins}, {"bin_winner", winner}});
+      differences.push_back(difference(nearest.irradiance(samples), expected));
+    }
+    EXPECT_LT(differences[1], differences[0]) << winner;
+    EXPECT_LT(differences[2], differences[1]) << winner;
+    EXPECT_LT(differences[2], std::string(winner) == "middle" ? 0.06 : 0.2) << winner;
+  }
+}
+
+/// Two rooms that glow, joined by a slit in the wall between them.
+Scene joined_furnaces() {
+  test::SceneBuilder builder;
+  const std::uint32_t glow = builder.diffuse("glow", Rgb(0.8F), Rgb(1.0F));
+  builder.room("rooms", glow, Vec3(0.0F), {2.1F, 1.0F, 1.0F});
+  builder.block("wall on the left", glow, {1.0F, 0.0F, 0.0F}, {1.1F, 1.0F, 0.42F});
+  builder.block("wall on the right", glow, {1.0F, 0.0F, 0.58F}, {1.1F, 1.0F, 1.0F});
+  return builder.build("joined furnaces");
+}
+
+/// No iteration may bring more than there is, whatever the bins: cut off after any term, or run to the end.
+TEST(Antiradiance, FurnaceNeverGainsEnergyAtAnyIterationAndBins) {
+  constexpr double albedo = 0.8;
+  const double exact = pi_double * albedo / (1.0 - albedo);
+  test::SceneBuilder builder;
+  builder.room("room", builder.diffuse("glow", Rgb(0.8F), Rgb(1.0F)), Vec3(0.0F), Vec3(1.0F));
+  const Scene cube = builder.build("furnace of a cube"), irregular = furnace(0.8F), joined = joined_furnaces();
+  for (const Scene* scene : {&cube, &irregular, &joined})
+    for (const char* bins : {"4", "8", "12"})
+      for (const char* iterations : {"1", "2", "3", "5", "0"}) {
+        Solved solved(*scene, {{"elements", "500"}, {"bins", bins}, {"iterations", iterations}, {"tolerance", "0.02"}});
+        ASSERT_TRUE(succeeded(solved.lit.termination)) << solved.lit.message;
+        const std::string what = scene->name + ", bins " + bins + ", iterations " + iterations;
+        double most = 0.0;
+        const auto found = solved.irradiance(solved.samples(1000));
+        for (const Rgb& value : found) most = std::max(most, static_cast<double>(value.g));
+        // Along the wall between the rooms interpolated values swing past their cells' means: there the mean is held.
+        EXPECT_LE(scene == &joined ? mean(found) : most, 1.02 * exact) << what;
+        if (scene == &cube && std::string(iterations) == "0") {
+          EXPECT_NEAR(mean(found), exact, 0.02 * exact) << what;
+        }
+      }
 }
 
 TEST(Antiradiance, SceneOfManySheetsEndsInSuccessOrAClearReport) {
