@@ -40,7 +40,8 @@ function(gibench_use_precompiled TARGET KIND)
     target_precompile_headers(${TARGET} REUSE_FROM gibench_precompiled_${KIND})
     # GCC 12 warns of std::string's own inlined code when it comes from a precompiled header; the sanitizers' builds,
     # which use none, keep these warnings.
-    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict>)
+    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict
+                           -Wno-stringop-overread -Wno-stringop-overflow>)
   endif()
 endfunction()
 

@@ -34,7 +34,14 @@ const std::vector<MethodRule>& rules() {
     antiradiance.method = "antiradiance";
     antiradiance.tolerance = 0.05;
     antiradiance.clearance = 0.02;
-    return std::vector<MethodRule>{pathtracer, meshless, spectral, antiradiance};
+    MethodRule accessibility;
+    accessibility.method = "antiradiance";
+    accessibility.technique = "accessibility";
+    accessibility.quantity = Quantity::accessibility;
+    accessibility.settings = {{"mode", "accessibility"}};
+    accessibility.tolerance = 0.03;
+    accessibility.clearance = 0.0;
+    return std::vector<MethodRule>{pathtracer, meshless, spectral, antiradiance, accessibility};
   }();
   return all;
 }
@@ -94,20 +101,23 @@ double clearance_of(const Scene& scene, const Question& question) {
   return nearest;
 }
 
-MethodRule rule_of(const std::string& method) {
-  for (const MethodRule& rule : rules())
-    if (rule.method == method) return rule;
-  MethodRule rule;
-  rule.method = method;
-  rule.tolerance = 0.02;
-  rule.clearance = 0.02;
-  return rule;
+std::vector<MethodRule> all_rules() {
+  std::vector<MethodRule> all = rules();
+  for (const MethodEntry& entry : all_methods()) {
+    if (std::any_of(all.begin(), all.end(), [&](const MethodRule& rule) { return rule.method == entry.name; })) continue;
+    MethodRule& rule = all.emplace_back();
+    rule.method = entry.name;
+    rule.tolerance = 0.02;
+    rule.clearance = 0.02;
+  }
+  return all;
 }
 
 std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth,
                                     const Question& question) {
   for (const auto& [id, why] : rule.not_cases)
     if (id == truth.id || id == question.id) return why;
+  if (rule.quantity && question.quantity != *rule.quantity) return "another rule asks it";
   if (question.place == Place::sensor && !rule.asks_sensors) return "a virtual sensor lies on no surface";
   const Capabilities can = entry.make(Parameters(entry.schema, rule.settings))->capabilities();
   if (question.quantity == Quantity::radiosity && can.quantities.contains(Quantity::irradiance)) return std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@ namespace gibench::truth {
 /// refusals) needs no line here.
 struct MethodRule {
   std::string method;
+  std::string technique;             ///< appended to the method's name where it has several rules
+  std::optional<Quantity> quantity;  ///< the one that is asked; empty: all
   /// Share of the true value (or of a tenth of the case's largest one, where that is more). 0: the method knows its own
   /// standard errors, and is held to four of them.
   double tolerance = 0.0;
@@ -25,10 +28,13 @@ struct MethodRule {
   /// a finite-element solution need not resolve them.
   double clearance = 0.0;
   std::vector<std::pair<std::string, std::string>> not_cases;  ///< id of a case or of a question, and why it is left out
+
+  std::string name() const { return technique.empty() ? method : method + "_" + technique; }
+  friend void PrintTo(const MethodRule& rule, std::ostream* out) { *out << rule.name(); }  ///< for GoogleTest
 };
 
-/// The rule of a method; of one that has none, the tolerance of 2% at its default settings.
-MethodRule rule_of(const std::string& method);
+/// Rules of every registered method: of one that has none, the tolerance of 2% at its default settings.
+std::vector<MethodRule> all_rules();
 
 /// Why this question is not asked of the method; empty where it is.
 std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth,

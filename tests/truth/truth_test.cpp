@@ -178,15 +178,14 @@ void hold_to_tolerance(const MethodEntry& entry, const TruthCase& truth, const M
   }
 }
 
-class Truth : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+class Truth : public testing::TestWithParam<std::tuple<MethodRule, std::string>> {};
 
 TEST_P(Truth, Holds) {
-  const auto& [method, id] = GetParam();
-  const MethodEntry& entry = find_method(method);
+  const auto& [rule, id] = GetParam();
+  const MethodEntry& entry = find_method(rule.method);
   const TruthCase truth = load_case(id);
-  const MethodRule rule = rule_of(method);
   if (std::find(rule.short_of.begin(), rule.short_of.end(), id) != rule.short_of.end())
-    GTEST_SKIP() << method << " is known to fall short of " << rule.tolerance << " on " << id;
+    GTEST_SKIP() << rule.name() << " is known to fall short of " << rule.tolerance << " on " << id;
   try {
     if (rule.tolerance > 0.0) {
       hold_to_tolerance(entry, truth, rule);
@@ -202,14 +201,8 @@ TEST_P(Truth, Holds) {
   }
 }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const MethodEntry& entry : all_methods()) names.push_back(entry.name);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Truth, testing::Combine(testing::ValuesIn(method_names()), testing::ValuesIn(case_ids())),
-                         [](const auto& one) { return std::get<0>(one.param) + "_" + std::get<1>(one.param); });
+INSTANTIATE_TEST_SUITE_P(All, Truth, testing::Combine(testing::ValuesIn(all_rules()), testing::ValuesIn(case_ids())),
+                         [](const auto& one) { return std::get<0>(one.param).name() + "_" + std::get<1>(one.param); });
 
 }  // namespace
 }  // namespace gibench::truth
