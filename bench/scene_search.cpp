@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "common/core/data_folder.h"
+
 namespace gibench {
 
 namespace {
@@ -16,7 +18,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-std::vector<fs::path> scene_folders() { return {GIBENCH_SCENE_FOLDER, GIBENCH_GENERATED_SCENE_FOLDER}; }
+std::vector<fs::path> scene_folders() { return {data_folder() / "scenes", data_folder() / "generated_scenes"}; }
 
 }  // namespace
 

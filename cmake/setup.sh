@@ -1,9 +1,20 @@
-# Sourced by run.sh and test.sh: installs what is missing, configures and builds the release preset.
+# Sourced by run.sh and test.sh: installs what is missing, configures and builds. Afterwards $build is the build folder.
+#   GIBENCH_PRESET  the preset of CMakePresets.json to build; default: release
+#   GIBENCH_BUILD   where build folders are made; default: build/ beside the sources, which may then not be read-only
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export LC_ALL=C.UTF-8
+invoked_from=$PWD
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+preset=${GIBENCH_PRESET:-release}
+build_root=$(realpath -m "${GIBENCH_BUILD:-build}")
+build=$build_root/$preset
 
 say() { printf '\n== %s\n' "$*" >&2; }
+stop() {
+  printf 'gibench: %s\n' "$*" >&2
+  exit 2
+}
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
@@ -16,30 +27,69 @@ is_there() {  # PACKAGE [COMMAND]
 
 install_packages() {
   local missing=() package command
+  # Another distribution: CMake names what is missing, with the names that Debian gives it.
+  command -v dpkg-query >/dev/null 2>&1 || return 0
   while read -r package command; do
     case "$package" in '' | '#'*) continue ;; esac
     is_there "$package" "$command" || missing+=("$package")
   done < packages.txt
   [ ${#missing[@]} -gt 0 ] || return 0
+  if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null 2>&1; then
+    stop "packages are missing and there is no sudo; as root: apt-get install --no-install-recommends ${missing[*]}"
+  fi
   say "installing ${missing[*]}"
-  as_root apt-get update -q >&2
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" >&2
+  as_root apt-get update -q >&2 || say "the list of packages could not be brought up to date; going on with the old one"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" >&2 ||
+    stop "apt-get could not install ${missing[*]}: install them by hand, then call this again"
+}
+
+# A folder that can be written, with a way out where it cannot.
+make_build_folder() {
+  mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
+    stop "$build cannot be written: name a folder that can with GIBENCH_BUILD=FOLDER"
+}
+
+configure() {
+  local fresh=()
+  # A build folder knows its sources by their absolute path: one that was moved or copied is configured anew.
+  if [ -f "$build/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$build/CMakeCache.txt"; then
+    fresh=(--fresh)
+  fi
+  say "configuring ($build)"
+  cmake --preset "$preset" -B "$build" "${fresh[@]}" >&2 ||
+    stop "the project could not be configured: the line above that begins with 'CMake Error' is followed by what to do"
 }
 
 install_node_modules() {
-  local stamp=reports/node_modules/.package-lock.json
-  if [ -f "$stamp" ] && [ ! reports/package-lock.json -nt "$stamp" ]; then return 0; fi
+  local reports=$build/share/gibench/reports
+  local stamp=$reports/node_modules/.package-lock.json
+  if [ -f "$stamp" ] && [ ! "$reports/package-lock.json" -nt "$stamp" ]; then return 0; fi
   say "installing the report's plot packages"
-  (cd reports && npm ci --no-progress >&2)
-  touch "$stamp"
+  if (cd "$reports" && npm ci --no-progress --no-audit --no-fund >&2); then
+    touch "$stamp"
+  else
+    say "npm could not install the plot packages (no network?): reports will have no plots until 'npm ci' works in $reports"
+  fi
 }
 
-build() {
-  say "building (build/release)"
-  cmake --preset release >&2
-  cmake --build --preset release >&2
+build_all() {
+  say "building ($build)"
+  cmake --build "$build" >&2 || stop "the build failed: the first error above says where"
+}
+
+# The cores, as far as memory goes round: a test takes up to a gigabyte.
+test_jobs() {
+  local cores memory_kib
+  cores=$(nproc)
+  memory_kib=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
+  local jobs=$((memory_kib / 1048576))
+  if [ "$jobs" -gt "$cores" ]; then jobs=$cores; fi
+  if [ "$jobs" -lt 1 ]; then jobs=1; fi
+  echo "$jobs"
 }
 
 install_packages
+make_build_folder
+configure
 install_node_modules
-build
+build_all

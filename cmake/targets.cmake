@@ -3,7 +3,7 @@
 add_library(gibench_options INTERFACE)
 target_include_directories(gibench_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-                       $<$<BOOL:${GIBENCH_WARNINGS_AS_ERRORS}>:-Werror>
+                       ${GIBENCH_FALSE_WARNINGS} $<$<BOOL:${GIBENCH_WARNINGS_AS_ERRORS}>:-Werror>
                        $<$<BOOL:${GIBENCH_ARCHITECTURE}>:-march=${GIBENCH_ARCHITECTURE}>
                        # Fused multiply-adds are contracted the same way in every build of one machine only where
                        # the compiler is told not to choose: same seed, same bits.
@@ -72,10 +72,11 @@ function(gibench_library NAME)
   endif()
 endfunction()
 
-# gibench_test(NAME LIBRARIES ...): a test program test_NAME of every *_test.cpp file of this folder; its
-# cases are CTest tests. GIBENCH_TEST_DATA is this folder.
+# gibench_test(NAME [SLOW] LIBRARIES ...): a test program test_NAME of every *_test.cpp file of this folder; its
+# cases are CTest tests. GIBENCH_TEST_DATA is this folder. SLOW ones are labelled `long` and
+# started first, so that no core idles at the end.
 function(gibench_test NAME)
-  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW" "" "LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_executable(test_${NAME} ${sources})
   target_link_libraries(test_${NAME} PRIVATE gibench_options ${ARG_LIBRARIES} GTest::gmock GTest::gtest GTest::gtest_main)
@@ -84,7 +85,12 @@ function(gibench_test NAME)
   gibench_cool(test_${NAME})
   gibench_use_precompiled(test_${NAME} test)
   include(GoogleTest)
-  gtest_discover_tests(test_${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+  if(ARG_SLOW)
+    set(order COST 100 LABELS long)
+  else()
+    set(order COST 1)
+  endif()
+  gtest_discover_tests(test_${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600 ${order})
 endfunction()
 
 # Adds every subfolder that has a CMakeLists.txt.

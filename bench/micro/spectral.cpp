@@ -16,6 +16,7 @@
 #include "bench/micro/cpu_clock.h"
 #include "bench/micro/interleaved.h"
 #include "bench/micro/method_timing.h"
+#include "common/core/data_folder.h"
 #include "common/core/error.h"
 #include "common/core/random.h"
 #include "common/scene/load.h"
@@ -30,7 +31,7 @@ namespace {
 using namespace spectral;
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-Scene window_room() { return load_scene(std::filesystem::path(GIBENCH_SCENE_FOLDER) / "window-room.scene.json"); }
+Scene window_room() { return load_scene(data_folder() / "scenes" / "window-room.scene.json"); }
 
 constexpr const char* wanted_vertices = "23500";  // gives 31 000
 

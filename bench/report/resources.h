@@ -5,7 +5,7 @@
 
 namespace gibench::report {
 
-/// The reports/ folder of the sources, or the folder that the environment variable GIBENCH_REPORTS names.
+/// reports/ in the data folder (common/core/data_folder.h), or the folder that the environment variable GIBENCH_REPORTS names.
 std::filesystem::path resources_folder();
 
 }  // namespace gibench::report

@@ -5,19 +5,28 @@
 #include <filesystem>
 #include <system_error>
 
+#include "common/core/data_folder.h"
 #include "common/core/error.h"
 
 namespace gibench {
 
 namespace {
 
+/// Beside the program, as in the build folder, or in ../lib/gibench, as in an installed tree.
+std::filesystem::path plugin_file() {
+  std::filesystem::path beside = program_folder() / image_plugin_file;
+  std::error_code unreadable;
+  if (std::filesystem::exists(beside, unreadable)) return beside;
+  return (program_folder() / "../lib/gibench" / image_plugin_file).lexically_normal();
+}
+
 /// Never unloaded: libraries behind OpenImageIO leave work for the end of the process.
 const ImagePluginFunctions* load_plugin() {
-  const std::filesystem::path file = std::filesystem::read_symlink("/proc/self/exe").parent_path() / image_plugin_file;
+  const std::filesystem::path file = plugin_file();
   std::error_code unreadable;
   if (!std::filesystem::exists(file, unreadable))
     throw InputError(file.string(), "the image plugin is missing",
-                     "keep it in the folder of the program, or build the whole project");
+                     "keep it in bin/ or lib/gibench/ of the program's tree, or build the whole project");
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const reason = dlerror();

@@ -1,5 +1,5 @@
 /// The seam between the program and the image plugin (plugin/openimageio.cpp): a table of functions that throw
-/// nothing, found by name in the shared library gibench_image_plugin.so beside the program.
+/// nothing, found by name in the shared library gibench_image_plugin.so.
 #pragma once
 
 #include <cstdint>

@@ -73,7 +73,7 @@ TEST(Call, HelpNamesTheVerbsThatExistAndNoOthers) {
 TEST(Call, AFullDiskUnderStdoutIsAFailure) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const Workshop shop;
-  const std::string command = std::string(GIBENCH_PROGRAM) + " list methods --json >/dev/full 2>/dev/null";
+  const std::string command = "\"" GIBENCH_PROGRAM "\" list methods --json >/dev/full 2>/dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 4);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "common/core/error.h"
 #include "common/core/random.h"
@@ -20,7 +21,6 @@ constexpr std::uint64_t mean_stage = 0x6d65616eULL;
 
 /// The scene in which the named objects alone emit, radiance 1.
 Scene with_emitters(Scene scene, const std::vector<std::string>& emitters) {
-  if (emitters.empty()) return scene;
   for (Material& material : scene.materials) material.emission = Rgb();
   for (Object& object : scene.objects) {
     if (std::find(emitters.begin(), emitters.end(), object.name) == emitters.end()) continue;
@@ -167,10 +167,12 @@ bool asked_together(const Question& a, const Question& b) {
 
 }  // namespace
 
-std::vector<Answer> ask(const MethodEntry& entry, const Scene& scene, const std::vector<Question>& questions, const Run& run) {
+std::vector<Answer> ask(const MethodEntry& entry, const World& world, const std::vector<Question>& questions, const Run& run) {
   if (questions.empty()) return {};
-  const World world(with_emitters(scene, questions.front().emitters), 1);
-  Asked asked(entry, world, questions.front().bounces, run);
+  const std::vector<std::string>& emitters = questions.front().emitters;
+  std::optional<World> other_lights;
+  if (!emitters.empty()) other_lights.emplace(with_emitters(world.scene(), emitters), 1);
+  Asked asked(entry, other_lights ? *other_lights : world, questions.front().bounces, run);
   std::vector<Answer> answers;
   for (std::size_t begin = 0; begin < questions.size();) {
     std::size_t end = begin + 1;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/ray/world.h"
 #include "methods/registry.h"
 #include "truth_case.h"
 
@@ -24,8 +25,8 @@ struct Run {
   int mean_points = 256;  ///< in each group
 };
 
-/// One answer for each question, all of one emitter set and bounce bound. Throws WorkError where the method refuses the
-/// scene, where it cannot do what the scene calls for, or where a stage fails: the message says why.
-std::vector<Answer> ask(const MethodEntry& entry, const Scene& scene, const std::vector<Question>& questions, const Run& run);
+/// One answer for each question, all of one emitter set and bounce bound, in the world of the case. Throws WorkError where the
+/// method refuses the scene, where it cannot do what the scene calls for, or where a stage fails: the message says why.
+std::vector<Answer> ask(const MethodEntry& entry, const World& world, const std::vector<Question>& questions, const Run& run);
 
 }  // namespace gibench::truth

@@ -107,10 +107,11 @@ struct ChiSquare {
 
 class PathTracedCase {
  public:
-  PathTracedCase(const MethodEntry& entry, const TruthCase& truth, const MethodRule& rule) : entry_(entry), truth_(truth) {
+  PathTracedCase(const MethodEntry& entry, const TruthCase& truth, const World& world, const MethodRule& rule)
+      : entry_(entry), world_(world) {
     std::vector<Question> asked;
     for (const Question& question : truth.questions)
-      if (!left_out(rule, entry, truth, question)) asked.push_back(question);
+      if (!left_out(rule, entry, truth, world, question)) asked.push_back(question);
     groups_ = groups_of(asked);
   }
 
@@ -120,7 +121,7 @@ class PathTracedCase {
     ChiSquare chi;
     for (const auto& group : groups_) {
       for (const auto& [samples, questions] : by_samples(group)) {
-        const std::vector<Answer> answers = ask(entry_, truth_.scene, questions, run_with(samples, 2));
+        const std::vector<Answer> answers = ask(entry_, world_, questions, run_with(samples, 2));
         for (std::size_t i = 0; i < questions.size(); ++i) {
           chi.add(squared_score(answers[i], questions[i]));
           check(answers[i], questions[i], samples);
@@ -138,7 +139,7 @@ class PathTracedCase {
       if (question.place == Place::mean) result[short_paths(question) ? 32 : 8].push_back(question);
       else points.push_back(question);
     }
-    const std::vector<Answer> pilot = ask(entry_, truth_.scene, points, run_with(pilot_samples, 1));
+    const std::vector<Answer> pilot = ask(entry_, world_, points, run_with(pilot_samples, 1));
     for (std::size_t i = 0; i < points.size(); ++i)
       result[samples_for(points[i], relative_error_of(pilot[i], points[i]))].push_back(points[i]);
     return result;
@@ -149,26 +150,26 @@ class PathTracedCase {
   void check(const Answer& answer, const Question& question, std::int64_t samples) {
     if (within_errors(answer, question)) return;
     fmt::print("asked again: {}\n", tell(answer, question));
-    const Answer again = ask(entry_, truth_.scene, {question}, run_with(4 * samples, 3)).front();
+    const Answer again = ask(entry_, world_, {question}, run_with(4 * samples, 3)).front();
     EXPECT_TRUE(within_errors(again, question)) << tell(answer, question) << "\nagain: " << tell(again, question);
   }
 
   const MethodEntry& entry_;
-  const TruthCase& truth_;
+  const World& world_;
   std::vector<std::vector<Question>> groups_;
 };
 
 /// Methods that do not know their errors: within the rule's tolerance.
-void hold_to_tolerance(const MethodEntry& entry, const TruthCase& truth, const MethodRule& rule) {
+void hold_to_tolerance(const MethodEntry& entry, const TruthCase& truth, const World& world, const MethodRule& rule) {
   std::map<Quantity, double> largest_value;
   std::vector<Question> asked;
   for (const Question& question : truth.questions) {
     largest_value[question.quantity] = std::max(largest_value[question.quantity], largest(question.value));
-    if (!left_out(rule, entry, truth, question)) asked.push_back(question);
+    if (!left_out(rule, entry, truth, world, question)) asked.push_back(question);
   }
   if (asked.empty()) GTEST_SKIP() << "nothing that " << entry.name << " is asked here";
   for (const auto& group : groups_of(asked)) {
-    const std::vector<Answer> answers = ask(entry, truth.scene, group, {rule.settings, 1, 1, 16384});
+    const std::vector<Answer> answers = ask(entry, world, group, {rule.settings, 1, 1, 16384});
     for (std::size_t i = 0; i < group.size(); ++i)
       for (int c = 0; c < 3; ++c) {
         const double scale = std::max(std::fabs(group[i].value[c]), 0.1 * largest_value[group[i].quantity]);
@@ -184,14 +185,15 @@ TEST_P(Truth, Holds) {
   const auto& [rule, id] = GetParam();
   const MethodEntry& entry = find_method(rule.method);
   const TruthCase truth = load_case(id);
+  const World world(truth.scene, 1);
   if (std::find(rule.short_of.begin(), rule.short_of.end(), id) != rule.short_of.end())
     GTEST_SKIP() << rule.name() << " is known to fall short of " << rule.tolerance << " on " << id;
   try {
     if (rule.tolerance > 0.0) {
-      hold_to_tolerance(entry, truth, rule);
+      hold_to_tolerance(entry, truth, world, rule);
       return;
     }
-    const ChiSquare chi = PathTracedCase(entry, truth, rule).run();
+    const ChiSquare chi = PathTracedCase(entry, truth, world, rule).run();
     fmt::print("{}: chi-square {:.1f} of {} scores\n", id, chi.sum, chi.count);
     EXPECT_NEAR(chi.sum, chi.expected(), chi.tolerance());
   } catch (const WorkError& error) {

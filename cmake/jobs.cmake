@@ -1,0 +1,21 @@
+# Parallel compile jobs are bounded by memory, whatever `ninja -j` says: a file takes up to a gigabyte and a half.
+set(gibench_job_mib 1536)
+
+cmake_host_system_information(RESULT gibench_memory_mib QUERY TOTAL_PHYSICAL_MEMORY)
+if(EXISTS /sys/fs/cgroup/memory.max)  # a container may have less than the machine
+  file(READ /sys/fs/cgroup/memory.max gibench_limit)
+  if(gibench_limit MATCHES "^[0-9]+")
+    math(EXPR gibench_limit "${CMAKE_MATCH_0} / 1048576")
+    if(gibench_limit LESS gibench_memory_mib)
+      set(gibench_memory_mib ${gibench_limit})
+    endif()
+  endif()
+endif()
+math(EXPR gibench_jobs "${gibench_memory_mib} / ${gibench_job_mib}")
+if(gibench_jobs LESS 1)
+  set(gibench_jobs 1)
+endif()
+set_property(GLOBAL PROPERTY JOB_POOLS compile=${gibench_jobs} link=${gibench_jobs})
+set(CMAKE_JOB_POOL_COMPILE compile)
+set(CMAKE_JOB_POOL_LINK link)
+message(STATUS "At most ${gibench_jobs} files are compiled at a time (${gibench_memory_mib} MiB of memory)")
