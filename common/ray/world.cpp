@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/ray/embree/embree_backend.h"
+
 namespace gibench {
 
 namespace {
@@ -15,7 +17,10 @@ constexpr float offset_per_extent = 0x1p-21F;
 
 }  // namespace
 
-World::World(Scene scene, int threads) : scene_(std::move(scene)), rays_(scene_, threads) {
+World::World(Scene scene, int threads) : World(std::move(scene), threads, make_embree_backend) {}
+
+World::World(Scene scene, int threads, const MakeRayBackend& make_rays)
+    : scene_(std::move(scene)), rays_(make_rays(scene_.vertices, scene_.triangles, threads)) {
   const std::size_t count = scene_.triangles.size();
   normals_.resize(count);
   areas_.resize(count);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "common/core/vec.h"
@@ -23,10 +24,13 @@ struct SurfaceSample {
 
 class World {
  public:
+  /// `threads` build the ray backend (0: all cores), which is Embree's.
   explicit World(Scene scene, int threads = 0);
+  /// The rays are those of another backend.
+  World(Scene scene, int threads, const MakeRayBackend& make_rays);
 
   const Scene& scene() const { return scene_; }
-  const RayBackend& rays() const { return rays_; }
+  const RayBackend& rays() const { return *rays_; }
 
   /// Unit front normal; zero for a degenerate triangle, which has area 0 and is never sampled.
   const Vec3& normal(std::uint32_t triangle) const { return normals_[triangle]; }
@@ -59,7 +63,7 @@ class World {
   std::vector<float> areas_, extents_;
   double total_area_ = 0.0;
   Vec3 bounds_min_{0.0F}, bounds_max_{0.0F};
-  RayBackend rays_;
+  std::unique_ptr<const RayBackend> rays_;
 };
 
 }  // namespace gibench
