@@ -49,9 +49,12 @@ double root_mean_variance(const Replicas& replicas) {
 
 class Relighter {
  public:
-  Relighter(const RelightOptions& options, const CommonOptions& common, const MethodChoice& choice, Scene scene)
-      : options_(options), common_(common), choice_(choice), task_(make_task(common, scene.name + ", " + choice.entry->name)) {
-    world_ = std::make_unique<World>(std::move(scene), common.threads);
+  Relighter(const RelightOptions& options, const CommonOptions& common, const MethodChoice& choice, std::unique_ptr<World> world)
+      : options_(options),
+        common_(common),
+        choice_(choice),
+        task_(make_task(common, world->scene().name + ", " + choice.entry->name)),
+        world_(std::move(world)) {
     measuring_.bounces = options.bounces;
     question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
     points_ = measuring_points(*world_, question_, common.threads);
@@ -98,7 +101,7 @@ class Relighter {
   }
 
   void switch_materials(const PathFrame& frame, const Lighting& lighting, RelitFrame& record) {
-    auto after = std::make_unique<World>(scene_at(frame), common_.threads);
+    auto after = std::make_unique<World>(scene_at(frame), *world_);
     for (const MaterialEdit& edit : frame.switched) {
       keep(record, lit_.method->edit(edit, *after, lighting, task_));
       record.switched.push_back(edit.material);
@@ -107,7 +110,7 @@ class Relighter {
   }
 
   void compare(const PathFrame& frame, const Answers& answers, RelitFrame& record) const {
-    LoadedScene lit{std::make_unique<World>(scene_at(frame), common_.threads)};
+    LoadedScene lit{std::make_unique<World>(scene_at(frame), *world_)};
     Reference reference{question_, 0, 0.0, {}, {}};
     CommonOptions quietly = common_;
     quietly.quiet = true;
@@ -137,10 +140,10 @@ class Relighter {
 ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);
   require_relighting(choice);
-  const LoadedScene loaded = load_world(options.scene, common.threads);
+  LoadedScene loaded = load_world(options.scene, common.threads);
   const std::vector<PathFrame> path = read_light_path(options.path, loaded.scene(), options.frames);
   RunLog log({}, common.quiet);
-  Relighter relighter(options, common, choice, loaded.scene());
+  Relighter relighter(options, common, choice, std::move(loaded.world));
   relighter.prepare(log);
   Json json{{"scene", relighter.scene().name}, {"method", choice.entry->name}, {"seed", common.seed}};
   for (const auto& [name, value] : choice.parameters.values())

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "common/ray/ray_backend.h"
+#include "common/ray/ray.h"
 #include "common/scene/scene.h"
 
 namespace gibench::micro {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "common/ray/ray_backend.h"
+#include "common/ray/ray.h"
 #include "common/ray/world.h"
 
 namespace gibench::micro {

@@ -10,7 +10,7 @@
 
 #include "bench/micro/bare_embree.h"
 #include "common/core/counters.h"
-#include "common/ray/ray_backend.h"
+#include "common/ray/ray.h"
 
 namespace gibench::micro {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/rgb.h"
-#include "common/ray/ray_backend.h"
+#include "common/ray/ray.h"
 
 namespace gibench {
 

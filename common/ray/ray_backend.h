@@ -1,66 +1,80 @@
-/// The Embree backend: closest hit and occlusion, one by one and in batches. ray_backend.cpp is the only file
-/// that includes Embree.
+/// The interface of a ray backend: closest hits and occlusions of batches of rays; single rays and fans stand on these.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
-#include "common/core/vec.h"
+#include "common/core/error.h"
+#include "common/ray/ray.h"
 #include "common/scene/scene.h"
 
 namespace gibench {
 
-struct Ray {
-  Vec3 origin;
-  float t_min = 0.0F;
-  Vec3 direction;  ///< need not be unit; distances are in its length
-  float t_max = std::numeric_limits<float>::infinity();
-};
-
-struct Hit {
-  static constexpr std::uint32_t none = 0xffffffffU;
-  std::uint32_t triangle = none;  ///< index into Scene::triangles
-  float u = 0.0F, v = 0.0F;       ///< barycentrics of the triangle's second and third corner
-  float distance = 0.0F;          ///< in lengths of the ray's direction
-  explicit operator bool() const { return triangle != none; }
-};
-
-/// Rays from one point, their directions in columns of one length; t from 0 to infinity.
-struct RayFan {
-  Vec3 origin;
-  std::span<const float> x, y, z;  ///< of the directions
-};
-
-/// What a fan's rays meet, in columns as long as the fan: Hit without the distance.
-struct FanHits {
-  std::span<std::uint32_t> triangle;
-  std::span<float> u, v;  ///< undefined where no triangle is met
-};
-
-/// A bounding volume hierarchy over the scene's triangles; immutable, shared by all threads. Robust mode.
+/// Finds what rays meet among triangles. Immutable once it is made, shared by all threads. A backend has to write the two
+/// batches; it writes the rest as well where it has a faster way.
 class RayBackend {
  public:
-  explicit RayBackend(const Scene& scene, int threads = 0);
-  ~RayBackend();
-  RayBackend(RayBackend&&) noexcept;
+  RayBackend() = default;
+  RayBackend(const RayBackend&) = delete;
+  RayBackend& operator=(const RayBackend&) = delete;
+  virtual ~RayBackend() = default;
 
-  Hit closest_hit(const Ray& ray) const;
-  /// Whether anything lies in (t_min, t_max).
-  bool occluded(const Ray& ray) const;
-  /// Batches, traced in packets in the order given: equal to one by one up to rounding of the distance.
-  void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
-  void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
+  /// The nearest triangle in (t_min, t_max) of every ray, from either side.
+  void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
+    GIBENCH_CHECK(rays.size() == hits.size(), "one hit for each ray");
+    do_closest_hits(rays, hits);
+  }
+  /// 1 where anything lies in (t_min, t_max), else 0.
+  void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+    GIBENCH_CHECK(rays.size() == occluded.size(), "one answer for each ray");
+    do_occlusions(rays, occluded);
+  }
   /// The same hits, for rays that lie in columns as packets want them.
-  void closest_hits(const RayFan& fan, const FanHits& hits) const;
+  void closest_hits(const RayFan& fan, const FanHits& hits) const {
+    const std::size_t total = fan.x.size();
+    GIBENCH_CHECK(fan.y.size() == total && fan.z.size() == total && hits.triangle.size() == total && hits.u.size() == total &&
+                      hits.v.size() == total,
+                  "the columns of a fan are of one length");
+    do_fan_hits(fan, hits);
+  }
 
-  /// Bytes that Embree holds for the hierarchy.
-  std::size_t bytes() const;
+  /// One ray: equal to a batch up to rounding of the distance.
+  Hit closest_hit(const Ray& ray) const { return do_closest_hit(ray); }
+  bool occluded(const Ray& ray) const { return do_occluded(ray); }
+
+  /// Bytes that the backend holds.
+  virtual std::size_t bytes() const = 0;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  virtual void do_closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const = 0;
+  virtual void do_occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const = 0;
+  virtual void do_fan_hits(const RayFan& fan, const FanHits& columns) const {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < fan.x.size(); ++i) rays.push_back({fan.origin, 0.0F, {fan.x[i], fan.y[i], fan.z[i]}});
+    std::vector<Hit> hits(rays.size());
+    do_closest_hits(rays, hits);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      columns.triangle[i] = hits[i].triangle, columns.u[i] = hits[i].u, columns.v[i] = hits[i].v;
+  }
+  virtual Hit do_closest_hit(const Ray& ray) const {
+    Hit hit;
+    do_closest_hits({&ray, 1}, {&hit, 1});
+    return hit;
+  }
+  virtual bool do_occluded(const Ray& ray) const {
+    std::uint8_t occluded = 0;
+    do_occlusions({&ray, 1}, {&occluded, 1});
+    return occluded != 0;
+  }
 };
+
+/// Makes a backend for triangles with `threads` threads (0: all cores). The backend keeps no reference to the arrays.
+/// Throws WorkError.
+using MakeRayBackend = std::function<std::unique_ptr<const RayBackend>(std::span<const Vec3> vertices,
+                                                                       std::span<const Triangle> triangles, int threads)>;
 
 }  // namespace gibench

@@ -1,7 +1,8 @@
 #include "common/ray/world.h"
 
-#include <algorithm>
 #include <utility>
+
+#include "common/ray/embree/embree_backend.h"
 
 namespace gibench {
 
@@ -15,24 +16,21 @@ constexpr float offset_per_extent = 0x1p-21F;
 
 }  // namespace
 
-World::World(Scene scene, int threads) : scene_(std::move(scene)), rays_(scene_, threads) {
-  const std::size_t count = scene_.triangles.size();
-  normals_.resize(count);
-  areas_.resize(count);
-  extents_.resize(count);
-  if (!scene_.vertices.empty()) bounds_min_ = bounds_max_ = scene_.vertices.front();
-  for (const Vec3& v : scene_.vertices) bounds_min_ = glm::min(bounds_min_, v), bounds_max_ = glm::max(bounds_max_, v);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& [a, b, c] = scene_.triangles[i].corners;
-    const Vec3d first = Vec3d(scene_.vertices[b]) - Vec3d(scene_.vertices[a]);
-    const Vec3d second = Vec3d(scene_.vertices[c]) - Vec3d(scene_.vertices[a]);
-    const Vec3d doubled = glm::cross(first, second);
-    const double length = glm::length(doubled);
-    areas_[i] = static_cast<float>(0.5 * length);
-    normals_[i] = areas_[i] > 0.0F ? Vec3(doubled / length) : Vec3(0.0F);
-    extents_[i] = std::max(max_abs(Vec3(first)), max_abs(Vec3(second)));
-    total_area_ += 0.5 * length;
-  }
+World::World(Scene scene, int threads) : World(std::move(scene), threads, make_embree_backend) {}
+
+World::World(Scene scene, int threads, MakeRayBackend make_rays)
+    : scene_(std::move(scene)), threads_(threads), make_rays_(std::move(make_rays)) {
+  build_geometry();
+}
+
+World::World(Scene scene, const World& before)
+    : scene_(std::move(scene)), threads_(before.threads_), make_rays_(before.make_rays_) {
+  if (have_same_shape(scene_, before.scene_)) geometry_ = before.geometry_;
+  else build_geometry();
+}
+
+void World::build_geometry() {
+  geometry_ = std::make_shared<const WorldGeometry>(scene_, make_rays_(scene_.vertices, scene_.triangles, threads_));
 }
 
 Vec3 World::position(std::uint32_t triangle, Vec2 barycentrics) const {
@@ -44,8 +42,9 @@ Vec3 World::position(std::uint32_t triangle, Vec2 barycentrics) const {
 SurfaceSample World::sample_at(std::uint32_t triangle, Vec2 barycentrics, const Vec3& seen_from_direction) const {
   SurfaceSample sample;
   sample.position = position(triangle, barycentrics);
-  const bool front = glm::dot(normals_[triangle], seen_from_direction) >= 0.0F;
-  sample.normal = front ? normals_[triangle] : -normals_[triangle];
+  const Vec3& face_normal = normal(triangle);
+  const bool front = glm::dot(face_normal, seen_from_direction) >= 0.0F;
+  sample.normal = front ? face_normal : -face_normal;
   sample.object = scene_.triangle_object[triangle];
   sample.face = scene_.triangle_face[triangle];
   sample.triangle = triangle;
@@ -55,7 +54,7 @@ SurfaceSample World::sample_at(std::uint32_t triangle, Vec2 barycentrics, const 
 }
 
 float World::offset(const SurfaceSample& sample) const {
-  return offset_per_coordinate * max_abs(sample.position) + offset_per_extent * extents_[sample.triangle];
+  return offset_per_coordinate * max_abs(sample.position) + offset_per_extent * geometry_->extent(sample.triangle);
 }
 
 Ray World::segment(const SurfaceSample& from, const SurfaceSample& to) const {

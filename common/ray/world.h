@@ -1,11 +1,12 @@
-/// A scene made ready for transport: per-triangle geometry and the ray backend.
+/// A scene made ready for transport: what it holds, and its shape made ready for rays.
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "common/core/vec.h"
 #include "common/ray/ray_backend.h"
+#include "common/ray/world_geometry.h"
 #include "common/scene/scene.h"
 
 namespace gibench {
@@ -23,21 +24,28 @@ struct SurfaceSample {
 
 class World {
  public:
+  /// `threads` build the geometry (0: all cores). The rays are Embree's.
   explicit World(Scene scene, int threads = 0);
+  /// The rays are those of another backend.
+  World(Scene scene, int threads, MakeRayBackend make_rays);
+  /// The scene of `before` after an edit, with the same backend. Where no vertex and no triangle differs, as after edits of
+  /// materials and lights, the two worlds share their geometry; each may outlive the other.
+  World(Scene scene, const World& before);
 
   const Scene& scene() const { return scene_; }
-  const RayBackend& rays() const { return rays_; }
+  const WorldGeometry& geometry() const { return *geometry_; }
+  const RayBackend& rays() const { return geometry_->rays(); }
 
   /// Unit front normal; zero for a degenerate triangle, which has area 0 and is never sampled.
-  const Vec3& normal(std::uint32_t triangle) const { return normals_[triangle]; }
-  float area(std::uint32_t triangle) const { return areas_[triangle]; }  ///< m², one side
-  double total_area() const { return total_area_; }                      ///< m², one side of every triangle
-  Vec3 bounds_min() const { return bounds_min_; }
-  Vec3 bounds_max() const { return bounds_max_; }
-  float diagonal() const { return glm::length(bounds_max_ - bounds_min_); }  ///< metres, of the bounding box
+  const Vec3& normal(std::uint32_t triangle) const { return geometry_->normal(triangle); }
+  float area(std::uint32_t triangle) const { return geometry_->area(triangle); }  ///< m², one side
+  double total_area() const { return geometry_->total_area(); }                   ///< m², one side of every triangle
+  Vec3 bounds_min() const { return geometry_->bounds_min(); }
+  Vec3 bounds_max() const { return geometry_->bounds_max(); }
+  float diagonal() const { return glm::length(bounds_max() - bounds_min()); }  ///< metres, of the bounding box
 
   Vec3 position(std::uint32_t triangle, Vec2 barycentrics) const;
-  /// The side of `triangle` that `back_along` points away from (normal · back_along ≥ 0 on the front).
+  /// The side of `triangle` that is seen from this direction (normal · direction ≥ 0 on the front).
   SurfaceSample sample_at(std::uint32_t triangle, Vec2 barycentrics, const Vec3& seen_from_direction) const;
   /// Where a ray of this direction hit.
   SurfaceSample sample_of_hit(const Hit& hit, const Vec3& ray_direction) const {
@@ -54,12 +62,12 @@ class World {
   Ray segment(const SurfaceSample& from, const SurfaceSample& to) const;
 
  private:
+  void build_geometry();
+
   Scene scene_;
-  std::vector<Vec3> normals_;
-  std::vector<float> areas_, extents_;
-  double total_area_ = 0.0;
-  Vec3 bounds_min_{0.0F}, bounds_max_{0.0F};
-  RayBackend rays_;
+  int threads_ = 0;
+  MakeRayBackend make_rays_;
+  std::shared_ptr<const WorldGeometry> geometry_;
 };
 
 }  // namespace gibench

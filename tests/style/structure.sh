@@ -35,7 +35,11 @@ check_length
 forbid 'common/' '(methods|bench|tests|scenes)/' "common knows no method, no program, no test"
 forbid 'methods/' '(bench|tests|scenes)/' "methods know neither the program nor the tests"
 forbid 'bench/' 'tests/' "the program knows no tests" 'bench/micro/'
-forbid '(common|methods|bench|scenes|tests)/' 'embree' "only the ray backend sees Embree" 'common/ray/ray_backend\.cpp|bench/micro/'
+forbid '(common|methods|bench|scenes|tests)/' 'embree' "only the Embree backend sees Embree" \
+  'common/ray/embree/embree_backend\.cpp|bench/micro/bare_embree\.cpp'
+forbid '(common|methods|bench|scenes|tests)/' 'common/ray/embree/' "rays go through the interface of the ray backends" \
+  'common/ray/embree/|common/ray/world\.cpp|tests/common/ray/'
+forbid 'common/ray/embree/' 'common/ray/(ray_stream|world)' "a backend knows rays and triangles, not worlds"
 forbid '(common|methods|bench|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
 check_methods
 

@@ -1,10 +1,11 @@
-#include "common/ray/ray_backend.h"
+#include "common/ray/embree/embree_backend.h"
 
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <mutex>
 #include <string>
 
@@ -43,34 +44,36 @@ void load_column(float (&column)[packet], std::span<const float> values, std::si
   std::fill(column + count, column + packet, column[count - 1]);
 }
 
-}  // namespace
-
-struct RayBackend::Impl {
+/// Embree's device and scene with its one geometry.
+struct Hierarchy {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::atomic<std::int64_t> bytes{0};
   std::mutex error_mutex;
   std::string error;  ///< the first that Embree reported
 
-  ~Impl() {
+  Hierarchy() = default;
+  Hierarchy(const Hierarchy&) = delete;
+  Hierarchy& operator=(const Hierarchy&) = delete;
+  ~Hierarchy() {
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
   static bool count_memory(void* self, ssize_t bytes, bool) {
-    static_cast<Impl*>(self)->bytes += bytes;
+    static_cast<Hierarchy*>(self)->bytes += bytes;
     return true;
   }
 
   /// Embree calls this from inside its own code, through which nothing may be thrown.
   static void keep_error(void* self, RTCError code, const char* text) {
-    Impl& impl = *static_cast<Impl*>(self);
-    const std::lock_guard lock(impl.error_mutex);
-    if (impl.error.empty())
-      impl.error = "Embree error " + std::to_string(static_cast<int>(code)) + ": " + (text != nullptr ? text : "");
+    Hierarchy& hierarchy = *static_cast<Hierarchy*>(self);
+    const std::lock_guard lock(hierarchy.error_mutex);
+    if (hierarchy.error.empty())
+      hierarchy.error = "Embree error " + std::to_string(static_cast<int>(code)) + ": " + (text != nullptr ? text : "");
   }
 
-  void build(const Scene& input, int threads) {
+  void build(std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads) {
     // A thread count given to the device would bind the whole process while the device lives: the arena below
     // binds the building alone.
     device = rtcNewDevice(nullptr);
@@ -80,55 +83,65 @@ struct RayBackend::Impl {
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-    if (!input.triangles.empty()) attach_triangles(input);
+    if (!triangles.empty()) attach(vertices, triangles);
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] { rtcJoinCommitScene(scene); });
     if (!error.empty()) throw WorkError(error);
   }
 
-  void attach_triangles(const Scene& input) {
+  void attach(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<Vec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), input.vertices.size()));
-    std::copy(input.vertices.begin(), input.vertices.end(), vertices);
-    auto* triangles = static_cast<Triangle*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), input.triangles.size()));
-    std::copy(input.triangles.begin(), input.triangles.end(), triangles);
+    void* corners =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), vertices.size());
+    std::copy(vertices.begin(), vertices.end(), static_cast<Vec3*>(corners));
+    void* indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), triangles.size());
+    std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
   }
 };
 
-RayBackend::RayBackend(const Scene& scene, int threads) : impl_(std::make_unique<Impl>()) { impl_->build(scene, threads); }
-RayBackend::~RayBackend() = default;
-RayBackend::RayBackend(RayBackend&&) noexcept = default;
+class EmbreeBackend final : public RayBackend {
+ public:
+  EmbreeBackend(std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads) {
+    hierarchy_.build(vertices, triangles, threads);
+  }
+  std::size_t bytes() const override { return static_cast<std::size_t>(std::max<std::int64_t>(0, hierarchy_.bytes.load())); }
 
-std::size_t RayBackend::bytes() const { return static_cast<std::size_t>(std::max<std::int64_t>(0, impl_->bytes.load())); }
+ private:
+  void do_closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const override;
+  void do_occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override;
+  void do_fan_hits(const RayFan& fan, const FanHits& hits) const override;
+  Hit do_closest_hit(const Ray& ray) const override;
+  bool do_occluded(const Ray& ray) const override;
 
-Hit RayBackend::closest_hit(const Ray& ray) const {
+  Hierarchy hierarchy_;
+};
+
+Hit EmbreeBackend::do_closest_hit(const Ray& ray) const {
   alignas(16) RTCRayHit query;
   load_ray(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(impl_->scene, &context, &query);
+  rtcIntersect1(hierarchy_.scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
 }
 
-bool RayBackend::occluded(const Ray& ray) const {
+bool EmbreeBackend::do_occluded(const Ray& ray) const {
   alignas(16) RTCRay query;
   load_ray(query, ray);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(impl_->scene, &context, &query);
+  rtcOccluded1(hierarchy_.scene, &context, &query);
   return query.tfar < 0.0F;
 }
 
-void RayBackend::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
-  GIBENCH_CHECK(rays.size() == hits.size(), "one hit for each ray");
+void EmbreeBackend::do_closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   for (std::size_t first = 0; first < rays.size(); first += packet) {
@@ -138,7 +151,7 @@ void RayBackend::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) co
     load_packet(query.ray, rays.subspan(first, count), valid);
     for (unsigned& id : query.hit.geomID) id = RTC_INVALID_GEOMETRY_ID;
     for (unsigned& id : query.hit.instID[0]) id = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect8(valid, impl_->scene, &context, &query);
+    rtcIntersect8(valid, hierarchy_.scene, &context, &query);
     for (std::size_t i = 0; i < count; ++i) {
       const bool found = query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       hits[first + i] = found ? Hit{query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]} : Hit{};
@@ -146,11 +159,8 @@ void RayBackend::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) co
   }
 }
 
-void RayBackend::closest_hits(const RayFan& fan, const FanHits& hits) const {
+void EmbreeBackend::do_fan_hits(const RayFan& fan, const FanHits& hits) const {
   const std::size_t total = fan.x.size();
-  GIBENCH_CHECK(fan.y.size() == total && fan.z.size() == total && hits.triangle.size() == total && hits.u.size() == total &&
-                    hits.v.size() == total,
-                "the columns of a fan are of one length");
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(32) RTCRayHit8 query;
@@ -172,15 +182,14 @@ void RayBackend::closest_hits(const RayFan& fan, const FanHits& hits) const {
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       query.hit.primID[i] = Hit::none;  // left where nothing is met: the scene is one geometry
     }
-    rtcIntersect8(valid, impl_->scene, &context, &query);
+    rtcIntersect8(valid, hierarchy_.scene, &context, &query);
     std::copy_n(query.hit.primID, count, hits.triangle.data() + first);
     std::copy_n(query.hit.u, count, hits.u.data() + first);
     std::copy_n(query.hit.v, count, hits.v.data() + first);
   }
 }
 
-void RayBackend::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
-  GIBENCH_CHECK(rays.size() == occluded.size(), "one answer for each ray");
+void EmbreeBackend::do_occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   for (std::size_t first = 0; first < rays.size(); first += packet) {
@@ -188,9 +197,16 @@ void RayBackend::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> o
     alignas(32) RTCRay8 query;
     alignas(32) int valid[packet];
     load_packet(query, rays.subspan(first, count), valid);
-    rtcOccluded8(valid, impl_->scene, &context, &query);
+    rtcOccluded8(valid, hierarchy_.scene, &context, &query);
     for (std::size_t i = 0; i < count; ++i) occluded[first + i] = query.tfar[i] < 0.0F ? 1 : 0;
   }
+}
+
+}  // namespace
+
+std::unique_ptr<const RayBackend> make_embree_backend(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                                                      int threads) {
+  return std::make_unique<EmbreeBackend>(vertices, triangles, threads);
 }
 
 }  // namespace gibench
