@@ -171,7 +171,7 @@ std::vector<Answer> ask(const MethodEntry& entry, const World& world, const std:
   if (questions.empty()) return {};
   const std::vector<std::string>& emitters = questions.front().emitters;
   std::optional<World> other_lights;
-  if (!emitters.empty()) other_lights.emplace(with_emitters(world.scene(), emitters), 1);
+  if (!emitters.empty()) other_lights.emplace(with_emitters(world.scene(), emitters), world);
   Asked asked(entry, other_lights ? *other_lights : world, questions.front().bounces, run);
   std::vector<Answer> answers;
   for (std::size_t begin = 0; begin < questions.size();) {
