@@ -18,7 +18,7 @@
 #include "bench/micro/method_timing.h"
 #include "common/core/error.h"
 #include "common/core/random.h"
-#include "common/scene/load.h"
+#include "common/scene_io/load.h"
 #include "methods/spectral/relighting.h"
 #include "methods/spectral/transfer.h"
 #include "methods/spectral/transfer_rows.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/core/error.h"
-#include "common/scene/names.h"
+#include "common/core/names.h"
 
 namespace gibench {
 
