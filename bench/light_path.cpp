@@ -9,7 +9,7 @@
 #include "common/core/error.h"
 #include "common/json/json_schema.h"
 #include "common/json/json_text.h"
-#include "common/scene_io/native/scene_parts.h"
+#include "common/scene_io/native/read_edit.h"
 #include "common/scene_io/native/scene_schema.h"
 
 namespace gibench {

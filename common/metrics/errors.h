@@ -9,8 +9,8 @@
 #include <string>
 
 #include "common/core/rgb.h"
+#include "common/image/exposure.h"
 #include "common/metrics/replicas.h"
-#include "common/scene/scene.h"
 
 namespace gibench {
 

@@ -6,6 +6,7 @@
 
 #include "common/core/error.h"
 #include "common/core/names.h"
+#include "common/scene/tessellate.h"
 
 namespace gibench {
 

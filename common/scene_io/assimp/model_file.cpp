@@ -4,12 +4,15 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
-#include <cctype>
 #include <mutex>
 
 #include "common/core/error.h"
 #include "common/core/names.h"
-#include "common/scene_io/assimp/model_scene.h"
+#include "common/scene_io/assimp/assimp_nodes.h"
+#include "common/scene_io/assimp/model_lights.h"
+#include "common/scene_io/assimp/model_materials.h"
+#include "common/scene_io/assimp/model_meshes.h"
+#include "common/scene_io/assimp/model_name.h"
 #include "common/scene_io/assimp/model_text.h"
 
 namespace gibench {
@@ -61,7 +64,7 @@ void for_each_node(const aiNode& node, const Visit& visit) {
   for (unsigned i = 0; i < node.mNumChildren; ++i) for_each_node(*node.mChildren[i], visit);
 }
 
-void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, const Vec3d& shift, ModelFile& model) {
+void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, const Vec3d& shift, Model& model) {
   for_each_node(*scene.mRootNode, [&](const aiNode& node) {
     Transform transform = transform_of(node);
     transform.translation += shift;
@@ -77,7 +80,7 @@ void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, 
 }
 
 /// Assimp keeps single precision: tells where a model lies so far out that its shape suffers.
-void warn_of_lost_precision(const std::filesystem::path& file, ModelFile& model) {
+void warn_of_lost_precision(const std::filesystem::path& file, Model& model) {
   Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
   for (const ModelPart& part : model.parts)
     for (const Vec3d& v : part.geometry.vertices) low = glm::min(low, v), high = glm::max(high, v);
@@ -91,35 +94,7 @@ void warn_of_lost_precision(const std::filesystem::path& file, ModelFile& model)
 
 }  // namespace
 
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-Transform transform_of(const aiNode& node) {
-  Transform transform;
-  for (const aiNode* at = &node; at != nullptr; at = at->mParent) {
-    const aiMatrix4x4& m = at->mTransformation;
-    const glm::dmat3 linear(m.a1, m.b1, m.c1, m.a2, m.b2, m.c2, m.a3, m.b3, m.c3);  // GLM takes columns
-    transform.linear = linear * transform.linear;
-    transform.translation = linear * transform.translation + Vec3d(m.a4, m.b4, m.c4);
-  }
-  return transform;
-}
-
-Transform transform_of(const aiScene& scene, const aiString& node_name) {
-  const aiNode* node = scene.mRootNode->FindNode(node_name);
-  return node != nullptr ? transform_of(*node) : Transform{};
-}
-
-bool is_model_name(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
-  return !extension.empty() && extension != ".json" && Assimp::Importer().IsExtensionSupported(extension);
-}
-
-ModelFile read_model(const std::filesystem::path& file, const std::string& place, bool with_materials) {
+Model read_model(const std::filesystem::path& file, const std::string& place, bool with_materials) {
   const std::string shown = in_quotes(file.string());
   if (!is_model_name(file))
     throw InputError(place, shown + " is no model file that Assimp reads", "use OBJ, PLY, glTF, STL or another model format");
@@ -134,7 +109,7 @@ ModelFile read_model(const std::filesystem::path& file, const std::string& place
     throw InputError(place, "the model file " + shown + " cannot be read: " + importer.GetErrorString(),
                      "it may be cut short or damaged; copy or export it again");
 
-  ModelFile model;
+  Model model;
   const std::vector<ObjectGeometry> meshes = read_meshes(*scene, place, model.warnings);
   add_parts(*scene, meshes, files->shift(), model);
   if (model.parts.empty()) throw InputError(place, "the model file " + shown + " has no faces", "use a model with surfaces");

@@ -1,8 +1,10 @@
+#include "common/scene_io/assimp/model_lights.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "common/core/names.h"
-#include "common/scene_io/assimp/model_scene.h"
+#include "common/scene_io/assimp/assimp_nodes.h"
 
 namespace gibench {
 
@@ -42,7 +44,7 @@ Vec3d unit(const Vec3d& v) {
 
 }  // namespace
 
-void read_model_lights(const aiScene& scene, bool is_gltf, ModelFile& model) {
+void read_model_lights(const aiScene& scene, bool is_gltf, Model& model) {
   for (unsigned i = 0; i < scene.mNumLights; ++i) {
     const aiLight& source = *scene.mLights[i];
     const Transform transform = transform_of(scene, source.mName);
@@ -61,7 +63,7 @@ void read_model_lights(const aiScene& scene, bool is_gltf, ModelFile& model) {
   }
 }
 
-void read_model_cameras(const aiScene& scene, bool is_gltf, ModelFile& model) {
+void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model) {
   for (unsigned i = 0; i < scene.mNumCameras; ++i) {
     const aiCamera& source = *scene.mCameras[i];
     const Transform transform = transform_of(scene, source.mName);

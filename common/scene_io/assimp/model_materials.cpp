@@ -1,3 +1,5 @@
+#include "common/scene_io/assimp/model_materials.h"
+
 #include <assimp/material.h>
 
 #include <cmath>
@@ -5,7 +7,7 @@
 #include "common/core/error.h"
 #include "common/core/names.h"
 #include "common/scene_io/assimp/gltf_strength.h"
-#include "common/scene_io/assimp/model_scene.h"
+#include "common/scene_io/assimp/model_name.h"
 #include "common/scene_io/assimp/picture_mean.h"
 
 namespace gibench {
@@ -173,8 +175,7 @@ std::string joined(const std::vector<std::string>& remarks) {
 
 }  // namespace
 
-void read_model_materials(const aiScene& scene, const std::filesystem::path& file, const std::vector<bool>& used,
-                          ModelFile& model) {
+void read_model_materials(const aiScene& scene, const std::filesystem::path& file, const std::vector<bool>& used, Model& model) {
   PictureMeans pictures(scene, file.parent_path());
   const bool is_gltf = is_gltf_name(file);
   const std::vector<float> strengths = is_gltf ? gltf_emissive_strengths(file) : std::vector<float>();

@@ -1,3 +1,5 @@
+#include "common/scene_io/assimp/model_meshes.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -7,7 +9,7 @@
 #include "common/core/hash.h"
 #include "common/core/names.h"
 #include "common/scene/polygon.h"
-#include "common/scene_io/assimp/model_scene.h"
+#include "common/scene_io/assimp/assimp_nodes.h"
 
 namespace gibench {
 

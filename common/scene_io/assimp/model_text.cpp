@@ -13,6 +13,7 @@
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/core/names.h"
+#include "common/scene_io/assimp/model_name.h"
 
 namespace gibench {
 
@@ -143,8 +144,7 @@ void check_ply_lines(std::string_view text, const std::string& file, const std::
 }  // namespace
 
 ModelFiles::ModelFiles(const std::filesystem::path& file, const std::string& place) : name_(file.string()) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = extension_of(file);
   const bool is_obj = extension == ".obj", is_stl = extension == ".stl", is_ply = extension == ".ply";
   if (!is_obj && !is_stl && !is_ply) return;
   const std::string text = read_file(file);

@@ -1,9 +1,11 @@
+#include "common/scene_io/native/read_camera.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "common/core/error.h"
 #include "common/core/names.h"
-#include "common/scene_io/native/scene_parts.h"
+#include "common/scene_io/native/read_values.h"
 
 namespace gibench {
 

@@ -1,9 +1,13 @@
+#include "common/scene_io/native/read_edit.h"
+
 #include <nlohmann/json.hpp>
 
 #include "common/core/error.h"
 #include "common/core/find_file.h"
 #include "common/core/names.h"
-#include "common/scene_io/native/scene_parts.h"
+#include "common/scene_io/native/read_light.h"
+#include "common/scene_io/native/read_material.h"
+#include "common/scene_io/native/read_values.h"
 #include "common/scene_io/native/scene_schema.h"
 
 namespace gibench {

@@ -1,3 +1,5 @@
+#include "common/scene_io/native/read_light.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -5,7 +7,7 @@
 #include "common/core/find_file.h"
 #include "common/core/names.h"
 #include "common/image/image.h"
-#include "common/scene_io/native/scene_parts.h"
+#include "common/scene_io/native/read_values.h"
 
 namespace gibench {
 

@@ -1,3 +1,5 @@
+#include "common/scene_io/native/read_material.h"
+
 #include <fmt/format.h>
 #include <array>
 
@@ -6,7 +8,7 @@
 
 #include "common/core/error.h"
 #include "common/core/names.h"
-#include "common/scene_io/native/scene_parts.h"
+#include "common/scene_io/native/read_values.h"
 
 namespace gibench {
 

@@ -1,3 +1,5 @@
+#include "common/scene_io/native/read_object.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -6,7 +8,7 @@
 #include "common/core/names.h"
 #include "common/scene/transform.h"
 #include "common/scene_io/assimp/model_file.h"
-#include "common/scene_io/native/scene_parts.h"
+#include "common/scene_io/native/read_values.h"
 
 namespace gibench {
 
@@ -66,7 +68,7 @@ void read_file_object(const json& value, Object object, const JsonPlace& place, 
   const auto file = find_file(value["file"].get<std::string>(), folder, file_place.text());
   const bool own_materials = !value.contains("material");
   const Transform transform = read_transform(value, place);
-  ModelFile model = read_model(file, file_place.text(), own_materials);
+  Model model = read_model(file, file_place.text(), own_materials);
   Scene& scene = builder.scene();
   for (const std::string& warning : model.warnings) scene.warnings.push_back("object " + in_quotes(object.name) + ": " + warning);
   if (!model.lights.empty() || !model.cameras.empty())
@@ -95,11 +97,6 @@ void read_file_object(const json& value, Object object, const JsonPlace& place, 
 }
 
 }  // namespace
-
-bool has_object(const Scene& scene, const std::string& name) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [&](const Object& object) { return object.name == name || object.name.starts_with(name + "/"); });
-}
 
 void read_object(const json& value, const JsonPlace& place, const std::filesystem::path& folder, SceneBuilder& builder) {
   Object object;

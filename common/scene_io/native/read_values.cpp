@@ -1,7 +1,8 @@
+#include "common/scene_io/native/read_values.h"
+
 #include <nlohmann/json.hpp>
 
 #include "common/core/error.h"
-#include "common/scene_io/native/scene_parts.h"
 
 namespace gibench {
 

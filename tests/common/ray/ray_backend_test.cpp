@@ -11,6 +11,7 @@
 #include "common/core/error.h"
 #include "common/core/random.h"
 #include "common/ray/ray_stream.h"
+#include "common/scene/tessellate.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench {

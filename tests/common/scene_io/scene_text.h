@@ -11,6 +11,7 @@
 
 #include "common/core/error.h"
 #include "common/scene_io/load.h"
+#include "common/scene_io/native/scene_file.h"
 
 namespace gibench::test {
 

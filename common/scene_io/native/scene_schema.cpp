@@ -1,7 +1,8 @@
+#include "common/scene_io/native/scene_schema.h"
+
 #include <nlohmann/json.hpp>
 
 #include "common/json/json_schema.h"
-#include "common/scene_io/native/scene_schema.h"
 
 namespace gibench {
 
