@@ -7,10 +7,10 @@
 
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
-#include "common/scene/json_schema.h"
-#include "common/scene/json_text.h"
-#include "common/scene/scene_parts.h"
-#include "common/scene/scene_schema.h"
+#include "common/json/json_schema.h"
+#include "common/json/json_text.h"
+#include "common/scene_io/native/read_edit.h"
+#include "common/scene_io/native/scene_schema.h"
 
 namespace gibench {
 

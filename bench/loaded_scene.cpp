@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "bench/scene_search.h"
-#include "common/scene/load.h"
+#include "common/scene_io/load.h"
 
 namespace gibench {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/core/error.h"
-#include "common/scene/json_place.h"
-#include "common/scene/json_text.h"
+#include "common/json/json_place.h"
+#include "common/json/json_text.h"
 
 namespace gibench {
 

@@ -10,10 +10,10 @@
 #include "bench/scene_search.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
-#include "common/scene/find_file.h"
-#include "common/scene/json_place.h"
-#include "common/scene/json_schema.h"
-#include "common/scene/json_text.h"
+#include "common/core/find_file.h"
+#include "common/json/json_place.h"
+#include "common/json/json_schema.h"
+#include "common/json/json_text.h"
 #include "methods/registry.h"
 
 namespace gibench {

@@ -19,7 +19,7 @@
 #include "common/core/data_folder.h"
 #include "common/core/error.h"
 #include "common/core/random.h"
-#include "common/scene/load.h"
+#include "common/scene_io/load.h"
 #include "methods/spectral/relighting.h"
 #include "methods/spectral/transfer.h"
 #include "methods/spectral/transfer_rows.h"

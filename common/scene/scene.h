@@ -12,6 +12,7 @@
 
 #include "common/core/rgb.h"
 #include "common/core/vec.h"
+#include "common/image/exposure.h"
 
 namespace gibench {
 
@@ -108,12 +109,6 @@ struct DeformEdit {
 };
 using SceneEdit = std::variant<MoveEdit, MaterialEdit, LightEdit, DeformEdit>;
 
-/// Exposure values (stops) at which pictures of the scene are shown and FLIP is taken.
-struct Exposure {
-  float value = 0.0F;                ///< LDR pictures: radiance times 2^value
-  float start = -2.0F, stop = 4.0F;  ///< HDR-FLIP range
-};
-
 struct Scene {
   std::string name;
   std::filesystem::path file;  ///< where it was read from; empty for a scene made in memory
@@ -138,8 +133,8 @@ struct Scene {
   const Material& material_of_triangle(std::uint32_t triangle) const { return material_of_object(triangle_object[triangle]); }
 };
 
-/// Fills the tessellation arrays and the objects' triangle ranges from faces and objects.
-void tessellate(Scene& scene);
+/// Whether `name` is an object of the scene, or one that was split by its materials into "name/…".
+bool has_object(const Scene& scene, const std::string& name);
 
 /// The lights of a scene, apart from its geometry: what a method is lit with, again and again.
 struct Lighting {

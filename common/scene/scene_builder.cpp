@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "common/core/error.h"
-#include "common/scene/names.h"
+#include "common/core/names.h"
+#include "common/scene/tessellate.h"
 
 namespace gibench {
 

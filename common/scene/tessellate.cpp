@@ -1,4 +1,4 @@
-#include "common/scene/scene.h"
+#include "common/scene/tessellate.h"
 
 namespace gibench {
 
@@ -44,13 +44,6 @@ void tessellate(Scene& scene) {
     }
     o.triangle_end = static_cast<std::uint32_t>(scene.triangles.size());
   }
-}
-
-Lighting Lighting::of(const Scene& scene) {
-  Lighting lighting;
-  lighting.lights = scene.lights;
-  for (const Material& material : scene.materials) lighting.emission.push_back(material.emission);
-  return lighting;
 }
 
 }  // namespace gibench

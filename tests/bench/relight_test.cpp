@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bench/light_path.h"
-#include "common/scene/load.h"
+#include "common/scene_io/load.h"
 #include "tests/bench/program.h"
 
 namespace gibench::test {

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "common/scene/load.h"
+#include "common/scene_io/load.h"
 #include "tests/scenes/cornell_spectra.h"
 
 namespace gibench {

@@ -11,7 +11,7 @@
 #include "common/core/random.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/ray/world.h"
-#include "common/scene/load.h"
+#include "common/scene_io/load.h"
 
 namespace gibench {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/core/random.h"
+#include "common/scene/tessellate.h"
 
 namespace gibench::test {
 

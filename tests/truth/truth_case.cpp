@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/ray/world.h"
-#include "common/scene/load.h"
+#include "common/scene_io/native/scene_file.h"
 #include "inward_sphere.h"
 
 namespace gibench::truth {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/core/error.h"
+#include "common/effects/plan_paths.h"
 #include "common/light_paths/automaton.h"
 #include "tests/support/scene_builder.h"
 

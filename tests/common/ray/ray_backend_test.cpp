@@ -12,6 +12,7 @@
 #include "common/ray/embree/embree_backend.h"
 #include "common/ray/ray_stream.h"
 #include "common/ray/world.h"
+#include "common/scene/tessellate.h"
 #include "tests/common/ray/brute_force.h"
 #include "tests/support/scene_builder.h"
 

@@ -7,6 +7,7 @@
 
 #include "common/core/parallel.h"
 #include "common/core/random.h"
+#include "common/scene/tessellate.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/geometry/surface_sampling.h"
+#include "common/scene/tessellate.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench {

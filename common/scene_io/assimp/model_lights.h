@@ -1,0 +1,13 @@
+/// Punctual lights and cameras of Assimp's scenes, in file coordinates.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include "common/scene_io/assimp/model.h"
+
+namespace gibench {
+
+void read_model_lights(const aiScene& scene, bool is_gltf, Model& model);
+void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model);
+
+}  // namespace gibench

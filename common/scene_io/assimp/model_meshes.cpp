@@ -1,0 +1,108 @@
+#include "common/scene_io/assimp/model_meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <unordered_map>
+
+#include "common/core/error.h"
+#include "common/core/hash.h"
+#include "common/core/names.h"
+#include "common/scene/polygon.h"
+#include "common/scene_io/assimp/assimp_nodes.h"
+
+namespace gibench {
+
+namespace {
+
+struct Bits {
+  std::array<float, 3> position;
+  bool operator==(const Bits& other) const { return std::memcmp(&position, &other.position, sizeof position) == 0; }
+};
+struct HashOfBits {
+  std::size_t operator()(const Bits& bits) const { return hash_bytes(&bits.position, sizeof bits.position); }
+};
+
+std::size_t corner_count(const aiMesh& mesh) {
+  std::size_t corners = 0;
+  for (unsigned i = 0; i < mesh.mNumFaces; ++i) corners += mesh.mFaces[i].mNumIndices;
+  return corners;
+}
+
+/// The mesh's vertices, and for each of Assimp's the index of the one it became: OBJ and STL come with one vertex a
+/// corner and are joined by equal positions.
+std::vector<std::uint32_t> read_vertices(const aiMesh& mesh, std::vector<Vec3d>& vertices) {
+  std::vector<std::uint32_t> index_of(mesh.mNumVertices);
+  const bool is_indexed = mesh.mNumVertices != corner_count(mesh);
+  std::unordered_map<Bits, std::uint32_t, HashOfBits> known;
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+    const aiVector3D& v = mesh.mVertices[i];
+    index_of[i] = static_cast<std::uint32_t>(vertices.size());
+    if (!is_indexed) {
+      const Bits bits{{v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}};  // -0 becomes 0
+      const auto [place, is_new] = known.try_emplace(bits, index_of[i]);
+      index_of[i] = place->second;
+      if (!is_new) continue;
+    }
+    vertices.push_back(to_vec(v));
+  }
+  return index_of;
+}
+
+void check_face(const aiMesh& mesh, unsigned f, const std::string& place) {
+  const aiFace& face = mesh.mFaces[f];
+  const auto name = [&] { return "face " + std::to_string(f) + " of mesh " + in_quotes(mesh.mName.C_Str()); };
+  if (face.mNumIndices == 0)
+    throw InputError(place, name() + " has no corners", "the file is damaged or cut short; export it again");
+  for (unsigned i = 0; i < face.mNumIndices; ++i)
+    if (face.mIndices[i] >= mesh.mNumVertices)
+      throw InputError(place,
+                       name() + " has vertex index " + std::to_string(face.mIndices[i]) + ", and there are " +
+                           std::to_string(mesh.mNumVertices) + " vertices",
+                       "mend the index or export the file again");
+}
+
+void add_polygon(const aiMesh& mesh, const aiFace& face, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry) {
+  std::vector<Vec3d> corners;
+  for (unsigned i = 0; i < face.mNumIndices; ++i) corners.push_back(to_vec(mesh.mVertices[face.mIndices[i]]));
+  for (const auto& [a, b, c] : triangulate_polygon(corners)) {
+    const std::uint32_t last = index_of[face.mIndices[c]];
+    geometry.faces.push_back({{index_of[face.mIndices[a]], index_of[face.mIndices[b]], last, last}});
+  }
+}
+
+/// Adds the mesh's faces; returns the number of points and lines, which are left out.
+std::size_t add_faces(const aiMesh& mesh, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry,
+                      const std::string& place) {
+  std::size_t left_out = 0;
+  geometry.faces.reserve(mesh.mNumFaces);
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    check_face(mesh, f, place);
+    if (face.mNumIndices < 3) {
+      ++left_out;
+    } else if (face.mNumIndices > 4) {
+      add_polygon(mesh, face, index_of, geometry);
+    } else {
+      Face added;
+      for (unsigned i = 0; i < 4; ++i) added.corners[i] = index_of[face.mIndices[std::min(i, face.mNumIndices - 1)]];
+      geometry.faces.push_back(added);
+    }
+  }
+  return left_out;
+}
+
+}  // namespace
+
+std::vector<ObjectGeometry> read_meshes(const aiScene& scene, const std::string& place, std::vector<std::string>& warnings) {
+  std::vector<ObjectGeometry> meshes(scene.mNumMeshes);
+  std::size_t left_out = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const std::vector<std::uint32_t> index_of = read_vertices(*scene.mMeshes[m], meshes[m].vertices);
+    left_out += add_faces(*scene.mMeshes[m], index_of, meshes[m], place);
+  }
+  if (left_out > 0) warnings.push_back(std::to_string(left_out) + " points and lines are left out");
+  return meshes;
+}
+
+}  // namespace gibench

@@ -1,0 +1,62 @@
+#include "common/scene_io/assimp/model_scene.h"
+
+#include <optional>
+
+#include "common/core/names.h"
+#include "common/scene_io/assimp/model_file.h"
+
+namespace gibench {
+
+namespace {
+
+void place_light(Light& light, const Vec3& position) {
+  if (auto* point = std::get_if<PointLight>(&light)) point->position = position;
+  if (auto* spot = std::get_if<SpotLight>(&light)) spot->position = position;
+}
+
+/// One object for each material of each node of the model.
+void add_model_objects(Model& model, const std::string& place, SceneBuilder& builder) {
+  Scene& scene = builder.scene();
+  UniqueNames object_names, material_names;
+  std::vector<std::optional<std::uint32_t>> material_index(model.materials.size());
+  for (ModelPart& part : model.parts) {
+    const ModelMaterial& source = model.materials[part.material];
+    const std::string& material = source.material.name;
+    std::optional<std::uint32_t>& index = material_index[part.material];
+    if (!index) {
+      index = static_cast<std::uint32_t>(scene.materials.size());
+      scene.materials.push_back(source.material);
+      scene.materials.back().name = material_names.take(material);
+    }
+    const std::string node = part.name.empty() ? scene.name : part.name;
+    Object object;
+    object.name = object_names.take(node == material || material == "default" ? node : node + "/" + material);
+    object.material = *index;
+    object.two_sided = source.two_sided;
+    builder.add_object(std::move(object), std::move(part.geometry), place);
+  }
+}
+
+}  // namespace
+
+Scene load_model_scene(const std::filesystem::path& file, const std::string& name) {
+  Scene scene;
+  scene.name = name;
+  SceneBuilder builder(scene);
+  Model model = read_model(file, file.string(), /*with_materials=*/true);
+  add_model_objects(model, file.string(), builder);
+  builder.finish_geometry(file.string());
+  for (ModelLight& light : model.lights) {
+    place_light(light.light, builder.to_local(light.position));
+    scene.lights.push_back(light.light);
+  }
+  for (ModelCamera& source : model.cameras) {
+    source.camera.position = builder.to_local(source.position);
+    source.camera.look_at = builder.to_local(source.look_at);
+    scene.cameras.push_back(source.camera);
+  }
+  scene.warnings = std::move(model.warnings);
+  return scene;
+}
+
+}  // namespace gibench
