@@ -1,12 +1,13 @@
 #include "common/core/parallel.h"
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <thread>
 
 #include "common/core/error.h"
 
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
 #ifdef GIBENCH_STD_THREADS
 #include <atomic>
 #include <exception>
@@ -19,8 +20,13 @@
 
 namespace gibench {
 
+#ifdef __SSE__
 FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040U); }  // FTZ | DAZ
 FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+#else  // the same answers to within denormals, and slower where there are any
+FlushDenormals::FlushDenormals() : saved_(0) {}
+FlushDenormals::~FlushDenormals() = default;
+#endif
 
 int hardware_threads() {
 #ifdef GIBENCH_STD_THREADS

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "common/core/lanes.h"
 #include "common/core/vec.h"
-#include "methods/antiradiance/lanes.h"
 
 namespace gibench::antiradiance {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/antiradiance/lanes.h"
+#include "common/core/lanes.h"
 #include "methods/antiradiance/oracle.h"
 
 namespace gibench::antiradiance {
@@ -29,7 +29,7 @@ class Queue {
   std::size_t size() const { return size_; }
   std::span<const std::uint32_t> numbers() const { return {numbers_.data(), size_}; }
   /// What comes out past the end is of no meaning.
-  Index8 eight(std::size_t from) const { return load<Index8>(numbers_.data() + from); }
+  IndexLanes eight(std::size_t from) const { return load_lanes<IndexLanes>(numbers_.data() + from); }
 
   void clear() { size_ = 0; }
   void assign(std::span<const std::uint32_t> numbers) {
@@ -38,22 +38,22 @@ class Queue {
     std::copy(numbers.begin(), numbers.end(), numbers_.begin());
     size_ = numbers.size();
   }
-  void push(const Index8& numbers, std::size_t count) {
-    make_room(lanes);
-    store(numbers_.data() + size_, numbers);
+  void push(const IndexLanes& numbers, std::size_t count) {
+    make_room(lane_count);
+    store_lanes(numbers_.data() + size_, numbers);
     size_ += count;
   }
-  void push_pairs(const Index8& first, const Index8& second, std::size_t count) {
-    make_room(2 * lanes);
-    store(numbers_.data() + size_, __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11));
-    store(numbers_.data() + size_ + lanes, __builtin_shufflevector(first, second, 4, 12, 5, 13, 6, 14, 7, 15));
+  void push_pairs(const IndexLanes& first, const IndexLanes& second, std::size_t count) {
+    make_room(2 * lane_count);
+    store_lanes(numbers_.data() + size_, __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11));
+    store_lanes(numbers_.data() + size_ + lane_count, __builtin_shufflevector(first, second, 4, 12, 5, 13, 6, 14, 7, 15));
     size_ += 2 * count;
   }
 
  private:
   /// For so many more, and eight behind them.
   void make_room(std::size_t more) {
-    if (size_ + more + lanes > numbers_.size()) numbers_.resize(std::max(2 * numbers_.size(), size_ + more + lanes));
+    if (size_ + more + lane_count > numbers_.size()) numbers_.resize(std::max(2 * numbers_.size(), size_ + more + lane_count));
   }
 
   std::vector<std::uint32_t> numbers_;
@@ -88,11 +88,11 @@ class BlockPool {
 /// Links in the order in which they are made; what is there is not moved when more come.
 class LinkStore {
  public:
-  void push(const Index8& senders, const Float8& factors, std::size_t count, BlockPool& pool) {
-    if (blocks_.empty() || blocks_.back()->count + lanes > Block::most) blocks_.push_back(pool.take());
+  void push(const IndexLanes& senders, const Lanes& factors, std::size_t count, BlockPool& pool) {
+    if (blocks_.empty() || blocks_.back()->count + lane_count > Block::most) blocks_.push_back(pool.take());
     Block& block = *blocks_.back();
-    store(block.senders.data() + block.count, senders);
-    store(block.factors.data() + block.count, factors);
+    store_lanes(block.senders.data() + block.count, senders);
+    store_lanes(block.factors.data() + block.count, factors);
     block.count += count;
     size_ += count;
   }
@@ -121,15 +121,16 @@ class Refiner {
     const Node p = nodes_[receiver];
     const std::size_t before = rows.links.size();
     for (std::size_t from = 0; from < queue.size();) {
-      const std::size_t count = std::min(lanes, queue.size() - from);
-      const Mask8 valid = first_lanes(count);
-      const Index8 senders = queue.eight(from) & std::bit_cast<Index8>(valid);
+      const std::size_t count = std::min(lane_count, queue.size() - from);
+      const LaneMask valid = first_lanes(count);
+      const IndexLanes senders = queue.eight(from) & std::bit_cast<IndexLanes>(valid);
       from += count;
       const Verdicts found = oracle_.judge(p, senders, valid);
-      rows.links.push(packed(senders | found.sides, found.link), packed(found.factors, found.link), size_of(found.link), pool_);
-      queue.push_pairs(packed(senders + 1U, found.split_sender), packed(found.right, found.split_sender),
+      rows.links.push(packed_lanes(senders | found.sides, found.link), packed_lanes(found.factors, found.link),
+                      size_of(found.link), pool_);
+      queue.push_pairs(packed_lanes(senders + 1U, found.split_sender), packed_lanes(found.right, found.split_sender),
                        size_of(found.split_sender));
-      passed_on.push(packed(senders, found.split_receiver), size_of(found.split_receiver));
+      passed_on.push(packed_lanes(senders, found.split_receiver), size_of(found.split_receiver));
     }
     rows.pairs += queue.size();
     rows.counts.push_back(static_cast<std::uint32_t>(rows.links.size() - before));

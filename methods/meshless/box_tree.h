@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "common/core/lanes.h"
 #include "common/core/vec.h"
-#include "methods/meshless/lanes.h"
 
 namespace gibench::meshless {
 
@@ -71,7 +71,7 @@ class BoxTree {
     Lanes distance_squared(const Vec3& p) const {
       Lanes sum{};
       for (int axis = 0; axis < 3; ++axis) {
-        const Lanes gap = larger(larger(low[axis] - p[axis], p[axis] - high[axis]), Lanes{});
+        const Lanes gap = larger(Lanes{}, larger(p[axis] - high[axis], low[axis] - p[axis]));
         sum += gap * gap;
       }
       return sum;

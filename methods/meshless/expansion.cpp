@@ -80,7 +80,7 @@ Lanes Expansion::cosine(const Block& block, const Vec3& normal) {
 /// Eq. 12 and 13 and the sums of Eq. 4, eight basis functions at a time.
 template <int channels>
 void Expansion::Sums::add_weights(const Lanes* values, const Lanes& squared_ratio, const Lanes& cosine) {
-  const Lanes ratio = smaller(squared_ratio, all_lanes(1.0F));
+  const Lanes ratio = smaller(all_lanes(1.0F), squared_ratio);
   const Lanes kernel = ratio * (2.0F * square_root(ratio) - 3.0F) + 1.0F;
   const Lanes w = cosine > least_cosine ? kernel * cosine : Lanes{};
   weight += w;
@@ -91,7 +91,7 @@ void Expansion::Sums::add_weights(const Lanes* values, const Lanes& squared_rati
 /// sin θ = radius / distance; the half sphere where the receiver is inside.
 void Expansion::Sums::add_solid_angles(const Block& block, const Vec3& receiver, const Lanes& squared_ratio,
                                        const Lanes& cosine) {
-  const Lanes distance_ratio = larger(Expansion::squared_ratio(block, receiver), all_lanes(1.0F));
+  const Lanes distance_ratio = larger(all_lanes(1.0F), Expansion::squared_ratio(block, receiver));
   const Lanes angle = 2.0F * pi * (1.0F - square_root(1.0F - 1.0F / distance_ratio));
   const LaneMask covers = (squared_ratio < 1.0F) & (cosine > least_cosine);
   covering += covers ? all_lanes(1.0F) : Lanes{};

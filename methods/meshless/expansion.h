@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/core/lanes.h"
 #include "common/core/rgb.h"
 #include "methods/meshless/box_tree.h"
 #include "methods/meshless/coefficients.h"
 #include "methods/meshless/hierarchy.h"
-#include "methods/meshless/lanes.h"
 
 namespace gibench::meshless {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <optional>
 
+#include "methods/spectral/colour_lanes.h"
 #include "methods/spectral/eigenvectors.h"
-#include "methods/spectral/lanes.h"
 
 namespace gibench::spectral {
 
@@ -24,7 +24,7 @@ void add_tile(const float* functions, std::size_t width, std::span<const Rgb4> v
   std::array<ColourLanes, count> sum;
   std::copy_n(sums, count, sum.begin());
   for (const Rgb4& value : values) {
-    for (std::size_t i = 0; i < count; ++i) sum[i].add(load(functions + i * lane_count), value);
+    for (std::size_t i = 0; i < count; ++i) sum[i].add(load_numbers(functions + i * lane_count), value);
     functions += width;
   }
   std::copy_n(sum.begin(), count, sums);

@@ -20,10 +20,10 @@ ColourLanes block_sum(const Value* values, std::span<const std::uint16_t> column
   ColourLanes even, odd;
   std::size_t i = 0;
   for (; i + 2 <= columns.size(); i += 2) {
-    even.add(load(values + i * block_rows), light[columns[i]]);
-    odd.add(load(values + (i + 1) * block_rows), light[columns[i + 1]]);
+    even.add(load_numbers(values + i * block_rows), light[columns[i]]);
+    odd.add(load_numbers(values + (i + 1) * block_rows), light[columns[i + 1]]);
   }
-  if (i < columns.size()) even.add(load(values + i * block_rows), light[columns[i]]);
+  if (i < columns.size()) even.add(load_numbers(values + i * block_rows), light[columns[i]]);
   even += odd;
   return even;
 }
@@ -137,7 +137,7 @@ void TransferMatrix::multiply(std::span<const Rgb4> light, std::span<Rgb4> out, 
       const std::span<Rgb4> answers = out.subspan(first_row_[b], first_row_[b + 1] - first_row_[b]);
       ColourLanes sum = rounded() ? block_sum(quantised_.data() + begin * block_rows, columns, scaled.data())
                                   : block_sum(exact_.data() + begin * block_rows, columns, scaled.data());
-      if (rounded()) sum *= load(row_scale_.data() + b * block_rows);
+      if (rounded()) sum *= load_numbers(row_scale_.data() + b * block_rows);
       store_rows(sum, answers);
     }
   });

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/method/task.h"
-#include "methods/spectral/lanes.h"
+#include "methods/spectral/colour_lanes.h"
 #include "methods/spectral/rgb4.h"
 
 namespace gibench::spectral {

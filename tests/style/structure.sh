@@ -41,6 +41,7 @@ forbid '(common|methods|bench|scenes|tests)/' 'common/ray/embree/' "rays go thro
   'common/ray/embree/|common/ray/world\.cpp|tests/common/ray/'
 forbid 'common/ray/embree/' 'common/ray/(ray_stream|world)' "a backend knows rays and triangles, not worlds"
 forbid '(common|methods|bench|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
+forbid '(common|methods|bench|scenes|tests)/' '[a-z]mmintrin' "only common/core sees the processor's own instructions" 'common/core/'
 check_methods
 
 while read -r file; do

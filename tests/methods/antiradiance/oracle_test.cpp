@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "methods/antiradiance/discretisation.h"
-#include "methods/antiradiance/lanes.h"
 #include "methods/antiradiance/refinement.h"
 #include "tests/support/scene_builder.h"
 
@@ -14,22 +13,6 @@ namespace {
 
 Discretisation discretised(const World& world, const char* elements, Task& task) {
   return {world, settings_from(Parameters(settings_schema(), {{"elements", elements}})), task};
-}
-
-TEST(Lanes, AreCountedAndPackedInOrder) {
-  const Index8 numbers{10, 11, 12, 13, 14, 15, 16, 17};
-  for (unsigned set = 0; set < 256; ++set) {
-    const Index8 together = packed(numbers, set);
-    std::size_t at = 0;
-    Mask8 mask{};
-    for (std::uint32_t lane = 0; lane < lanes; ++lane)
-      if ((set >> lane & 1U) != 0) {
-        EXPECT_EQ(together[at++], 10 + lane);
-        mask[lane] = -1;
-      }
-    EXPECT_EQ(bits_of(mask), set);
-  }
-  for (std::size_t count = 0; count <= lanes; ++count) EXPECT_EQ(bits_of(first_lanes(count)), (1U << count) - 1U);
 }
 
 /// The form factor of two nodes as discs, by numbers instead of lanes.

@@ -7,7 +7,6 @@
 
 #include "common/core/random.h"
 #include "methods/meshless/box_tree.h"
-#include "methods/meshless/lanes.h"
 #include "methods/meshless/packed_normal.h"
 
 namespace gibench::meshless {
@@ -46,15 +45,6 @@ TEST(PackedNormal, IsExactOnTheAxesAndGoodToHalfAStepElsewhere) {
     const Vec3 unit = random_direction(i);
     EXPECT_LT(glm::distance(unpack_normal(pack_normal(unit)), unit), 6.6e-5F);  // the header derives 6.5e-5, and rounding
   }
-}
-
-TEST(Lanes, WorkLaneByLane) {
-  const Lanes a{1, 4, 9, 16, 25, 36, 49, 64};
-  const Lanes root = square_root(a);
-  for (std::uint32_t i = 0; i < lane_count; ++i) EXPECT_FLOAT_EQ(root[i], static_cast<float>(i + 1));
-  EXPECT_FLOAT_EQ(sum_of(a), 204.0F);
-  EXPECT_EQ(lane_bits(a > 16.5F), 0xf0U);
-  EXPECT_EQ(lane_bits(smaller(a, all_lanes(3.0F)) == larger(a, all_lanes(3.0F))), 0U);
 }
 
 struct Balls {

@@ -1,23 +1,12 @@
-/// Eight floats at once, and colours of eight.
+/// Eight colours side by side.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
+#include "common/core/lanes.h"
 #include "methods/spectral/rgb4.h"
 
 namespace gibench::spectral {
-
-constexpr std::size_t lane_count = 8;
-using Lanes = float __attribute__((vector_size(32), aligned(4), may_alias));
-using LanesOfInt = std::int32_t __attribute__((vector_size(32)));
-using LanesOfShort = std::int16_t __attribute__((vector_size(16), aligned(2), may_alias));
-
-inline Lanes load(const float* from) { return *reinterpret_cast<const Lanes*>(from); }
-inline Lanes load(const std::int16_t* from) {
-  return __builtin_convertvector(__builtin_convertvector(*reinterpret_cast<const LanesOfShort*>(from), LanesOfInt), Lanes);
-}
-inline Lanes all_lanes(float value) { return Lanes{value, value, value, value, value, value, value, value}; }
 
 /// A colour in every lane.
 struct ColourLanes {
@@ -34,7 +23,7 @@ struct ColourLanes {
 
 /// Colour by colour into eight places.
 inline void store(const ColourLanes& colours, Rgb4* out) {
-  const auto write = [&](std::size_t i, const Lanes& two) { *reinterpret_cast<Lanes*>(out + i) = two; };
+  const auto write = [&](std::size_t i, const Lanes& two) { store_lanes(out + i, two); };
   // Within each half of four: r g r g and b 0 b 0, then r g b 0.
   const Lanes zero = all_lanes(0.0F);
   const Lanes rg01 = __builtin_shufflevector(colours.r, colours.g, 0, 8, 1, 9, 4, 12, 5, 13),
