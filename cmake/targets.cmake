@@ -46,11 +46,17 @@ function(gibench_use_precompiled TARGET KIND)
 endfunction()
 
 if(GIBENCH_PRECOMPILED_HEADERS)
-  set(usual <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numeric> <optional>
-      <set> <span> <string> <utility> <vector> <fmt/format.h> <glm/glm.hpp>)
+  set(usual <algorithm> <array> <atomic> <cmath> <condition_variable> <cstdint> <filesystem> <functional> <limits> <map>
+      <memory> <mutex> <numeric> <optional> <set> <span> <string> <utility> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND usual <immintrin.h>)
+  endif()
   gibench_precompile(hot ${usual})
-  gibench_precompile(cool ${usual} <nlohmann/json.hpp>)
-  gibench_precompile(test ${usual} <nlohmann/json.hpp> <gmock/gmock.h> <gtest/gtest.h>)
+  gibench_precompile(cool ${usual} <fstream> <nlohmann/json.hpp>)
+  gibench_precompile(program ${usual} <fstream> <nlohmann/json.hpp> <CLI/CLI.hpp>)
+  if(GIBENCH_TESTS)
+    gibench_precompile(test ${usual} <fstream> <nlohmann/json.hpp> <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
 endif()
 
 # gibench_library(NAME [COOL] LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder.
