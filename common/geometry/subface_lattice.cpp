@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <ranges>
 
 namespace gibench {
 
@@ -29,8 +28,7 @@ class SubfaceLatticeFit {
   bool along(const glm::dvec2& first, const glm::dvec2& second) {
     lattice_ = {};
     known_ = {};
-    return guess(first, second) && refine() && lay_out() &&
-           std::ranges::all_of(std::views::iota(std::size_t{0}, subfaces_.size()), [&](std::size_t s) { return add(s); });
+    return guess(first, second) && refine() && lay_out() && add_all();
   }
   SubfaceLattice& lattice() { return lattice_; }
 
@@ -104,6 +102,12 @@ class SubfaceLatticeFit {
     const auto cells = static_cast<std::size_t>(lattice_.columns_) * static_cast<std::size_t>(lattice_.rows_);
     if (cells > most_sparse * subfaces_.size()) return false;
     lattice_.cells_.resize(cells);
+    return true;
+  }
+
+  bool add_all() {
+    for (std::size_t s = 0; s < subfaces_.size(); ++s)
+      if (!add(s)) return false;
     return true;
   }
 
