@@ -2,6 +2,7 @@
 #include "bench/report/error_reading.h"
 #include "bench/report/json_reading.h"
 #include "common/core/error.h"
+#include "common/metrics/metric_table.h"
 
 namespace gibench::report {
 namespace {
@@ -25,7 +26,7 @@ StudyRelight::Frame frame_of(const Json& entry) {
   frame.relight_seconds = number_at(seconds, "relight");
   frame.shade_seconds = number_at(seconds, "shade");
   for (const auto& [component, metrics] : object_at(entry, "errors").items())
-    if (const auto error = error_of(object_at(metrics, "relative_rmse"))) frame.relative_rmse.emplace(component, *error);
+    if (const auto error = error_of(object_at(metrics, headline_metric))) frame.relative_rmse.emplace(component, *error);
   return frame;
 }
 

@@ -75,8 +75,8 @@ struct PlannedRuns {
 Cell cost_cell(const StudyRun& run) {
   if (run.complete == true) return {"none", "0"};
   for (const char* domain : {"image", "surface"})
-    if (const MeasuredError* error = run.model_error({domain, "total", "relative_rmse"}))
-      return {error_text(metric_info("relative_rmse"), *error), exact(error->value)};
+    if (const MeasuredError* error = run.model_error({domain, "total", headline_metric}))
+      return {error_text(metric_info(headline_metric), *error), exact(error->value)};
   return text_cell("");
 }
 

@@ -31,7 +31,7 @@ std::string whole_text(double value) { return fmt::format("{:.0f}", value); }
 Cell error_cell(const StudyRelight::Frame& frame, const std::string& component) {
   const auto found = frame.relative_rmse.find(component);
   if (found == frame.relative_rmse.end()) return {std::string(dash), ""};
-  return {error_text(metric_info("relative_rmse"), found->second), exact(found->second.value)};
+  return {error_text(metric_info(headline_metric), found->second), exact(found->second.value)};
 }
 
 }  // namespace

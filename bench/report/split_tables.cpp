@@ -9,17 +9,17 @@
 namespace gibench::report {
 namespace {
 
-Cell error_cell(const MetricInfo& metric, const MeasuredError* error) {
+Cell error_cell(const Metric& metric, const MeasuredError* error) {
   return error ? Cell{error_text(metric, *error), exact(error->value)} : Cell{std::string(dash), ""};
 }
 
-Cell floor_cell(const MetricInfo& metric, const MeasuredError* error) {
+Cell floor_cell(const Metric& metric, const MeasuredError* error) {
   return cell(
       error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact);
 }
 
 /// A run of all light paths has no model error: that is known, not measured.
-Cell model_cell(const MetricInfo& metric, bool complete, const MeasuredError* error) {
+Cell model_cell(const Metric& metric, bool complete, const MeasuredError* error) {
   return complete ? Cell{"none: all light paths", "0"} : error_cell(metric, error);
 }
 
@@ -80,7 +80,7 @@ Table evidence_table(const Study& study) {
 }
 
 Table split_table(const Study& study, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
+  const Metric metric = metric_info(key.metric);
   Table table{.name = "error-split",
               .caption = metric.title + " of " + describe(key) +
                          " in two parts. Model error: the reference of the light paths that the method simulates against that of "
@@ -107,7 +107,7 @@ Table split_table(const Study& study, const ErrorKey& key) {
 }
 
 Table bounce_table(const Study& study, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
+  const Metric metric = metric_info(key.metric);
   Table table{.name = "error-per-bounce",
               .caption = metric.title + " of the light of each number of reflections by itself, " + describe(key) + ".",
               .columns = {{"Scene", "scene", false},

@@ -19,7 +19,7 @@ std::string shade_stage(const StudyRun& run, const std::string& domain) {
   return run.seconds.contains("shade_" + domain) ? "shade_" + domain : "shade";
 }
 
-std::vector<Cell> scene_row(const StudyRun& run, const BaselineCurve& curve, const ErrorKey& key, const MetricInfo& metric) {
+std::vector<Cell> scene_row(const StudyRun& run, const BaselineCurve& curve, const ErrorKey& key, const Metric& metric) {
   const MeasuredError* error = run.error(key);
   const auto speed = speed_up(curve, run, key);
   return {text_cell(run.label),
@@ -60,7 +60,7 @@ std::string scene_slug(const Study& study, std::size_t scene) {
 }
 
 Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
+  const Metric metric = metric_info(key.metric);
   Table table{.name = scene_slug(study, scene),
               .caption = study.scenes[scene].name + ": " + metric.title + " of " + describe(key) +
                          " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors), "
