@@ -1,4 +1,4 @@
-#include "bench/report/format.h"
+#include "reports/tables/format.h"
 
 #include <gtest/gtest.h>
 

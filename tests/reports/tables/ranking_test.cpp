@@ -1,10 +1,10 @@
-#include "bench/report/ranking.h"
+#include "reports/tables/ranking.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bench/report/study_tables.h"
+#include "reports/tables/study_tables.h"
 
 namespace gibench::report {
 namespace {

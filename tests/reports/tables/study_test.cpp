@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bench/report/collect.h"
-#include "bench/report/method_style.h"
-#include "bench/report/page_data.h"
-#include "bench/report/study_tables.h"
 #include "common/core/error.h"
+#include "reports/collect/collect.h"
+#include "reports/tables/method_style.h"
+#include "reports/tables/study_tables.h"
+#include "reports/writing/page_data.h"
 #include "tests/reports/fixture/study_fixture.h"
 
 namespace gibench::report {

@@ -1,4 +1,4 @@
-#include "bench/report/table.h"
+#include "reports/tables/table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/print_json.h"
+#include "bench/app/verbs.h"
+#include "bench/measure/scene_search.h"
+#include "bench/record/run_record.h"
+#include "common/core/error.h"
+#include "common/effects/effect_plan.h"
+#include "common/metrics/metric_table.h"
+#include "methods/registry.h"
+
+namespace gibench {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ListOptions {
+  std::string what = "methods", name;
+};
+
+Json parameter_json(const ParameterSpec& spec) {
+  Json json{{"name", spec.name}, {"type", describe_type(spec)}, {"default", to_json(spec.default_value)}};
+  if (std::holds_alternative<std::int64_t>(spec.default_value) || std::holds_alternative<double>(spec.default_value))
+    json["minimum"] = spec.minimum, json["maximum"] = spec.maximum;
+  if (!spec.choices.empty()) json["choices"] = spec.choices;
+  json["meaning"] = spec.meaning;
+  return json;
+}
+
+Json effect_names(const EffectSet& effects) {
+  Json names = Json::array();
+  for (const Effect effect : effects) names.push_back(to_string(effect));
+  return names;
+}
+
+Json method_json(const MethodEntry& entry) {
+  const Capabilities can = entry.make(Parameters(entry.schema, {}))->capabilities();
+  Json parameters = Json::array();
+  for (const ParameterSpec& spec : entry.schema) parameters.push_back(parameter_json(spec));
+  return {{"name", entry.name},
+          {"summary", entry.summary},
+          {"source", entry.source},
+          {"light_paths", entry.light_paths},
+          {"effects", effect_names(can.effects)},
+          {"computes", {{"direct", can.direct}, {"indirect", can.indirect}, {"variance", can.variance}}},
+          {"parameters", std::move(parameters)}};
+}
+
+std::vector<Json> entries(const std::string& what) {
+  std::vector<Json> list;
+  if (what == "methods")
+    for (const MethodEntry& entry : all_methods()) list.push_back(method_json(entry));
+  else if (what == "scenes")
+    for (const KnownScene& scene : known_scenes()) list.push_back({{"name", scene.name}, {"file", scene.file.string()}});
+  else if (what == "effects")
+    for (const Effect effect : all_effects()) list.push_back({{"name", to_string(effect)}, {"meaning", meaning_of(effect)}});
+  else
+    for (const Metric& metric : all_metrics()) list.push_back({{"name", metric.name}, {"meaning", metric.meaning}});
+  return list;
+}
+
+/// One entry for people: its fields, then a method's parameters as a table.
+void print_entry(const Json& entry) {
+  for (const auto& [key, value] : entry.items()) {
+    if (key == "parameters") continue;
+    if (value.is_string()) {
+      fmt::print("{:<12} {}\n", key, value.get<std::string>());
+      continue;
+    }
+    std::string words;
+    for (const auto& [name, item] : value.items()) {
+      if (item.is_boolean() && !item.get<bool>()) continue;
+      words += (words.empty() ? "" : ", ") + (item.is_string() ? item.get<std::string>() : name);
+    }
+    fmt::print("{:<12} {}\n", key, words.empty() ? "none" : words);
+  }
+  if (!entry.contains("parameters")) return;
+  fmt::print("parameters (--set name=value)\n");
+  for (const Json& parameter : entry["parameters"]) {
+    const Json& value = parameter["default"];
+    fmt::print("  {:<24} {:<34} default {:<10} {}\n", parameter["name"].get<std::string>(), parameter["type"].get<std::string>(),
+               value.is_string() ? value.get<std::string>() : value.dump(), parameter["meaning"].get<std::string>());
+  }
+}
+
+ExitStatus list_one(const std::vector<Json>& list, const ListOptions& options, bool json) {
+  std::string known;
+  for (const Json& entry : list) {
+    const auto name = entry["name"].get<std::string>();
+    if (name == options.name) {
+      if (json) print_json(entry);
+      else print_entry(entry);
+      return ExitStatus::done;
+    }
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw InputError("list " + options.what, "there is no '" + options.name + "'", "known: " + known);
+}
+
+ExitStatus list_all(const std::vector<Json>& list, bool json) {
+  if (json) {
+    print_json(Json(list));
+    return ExitStatus::done;
+  }
+  for (const Json& entry : list) fmt::print("{}\n", entry["name"].get<std::string>());
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Call& call) {
+  CLI::App* verb = add_verb(app, call, "list", "What there is: methods and their parameters, scenes, effects, metrics");
+  const auto options = std::make_shared<ListOptions>();
+  verb->add_option("what", options->what, "methods, scenes, effects or metrics")
+      ->check(CLI::IsMember({"methods", "scenes", "effects", "metrics"}))
+      ->capture_default_str();
+  verb->add_option("name", options->name, "Only this one, in full");
+  verb->callback([&call, options] {
+    call.action = [&call, options] {
+      const std::vector<Json> list = entries(options->what);
+      return options->name.empty() ? list_all(list, call.common.json) : list_one(list, *options, call.common.json);
+    };
+  });
+}
+
+}  // namespace gibench

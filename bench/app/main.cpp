@@ -1,0 +1,82 @@
+/// The program: parses the call, runs one verb, turns what went wrong into one line and an exit status.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "bench/app/child_guard.h"
+#include "bench/app/exit_status.h"
+#include "bench/app/verbs.h"
+#include "bench/measure/cancellation.h"
+#include "bench/record/machine.h"
+#include "common/core/error.h"
+
+namespace {
+
+using namespace gibench;
+
+int failed(ExitStatus status, std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  std::fprintf(stderr, "gibench: %s\n", text.c_str());
+  return static_cast<int>(status);
+}
+
+/// The verb whose options a parse error is about, for the hint.
+std::string called_verb(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? "gibench" : "gibench " + verbs.front()->get_name();
+}
+
+/// CLI11 would say of an unknown verb only that one is required.
+bool is_verb(const CLI::App& app, const std::string& word) {
+  const auto verbs = app.get_subcommands([&](const CLI::App* verb) { return verb->check_name(word); });
+  return !verbs.empty();
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Compares light-transport methods on the same scenes: how much accuracy does a second buy?", "gibench");
+  app.set_version_flag("--version", version() + " (" + commit() + ")");
+  app.require_subcommand(1);
+  Call call;
+  add_verbs(app, call);
+  try {
+    if (argc > 1 && argv[1][0] != '-' && !is_verb(app, argv[1]))
+      return failed(ExitStatus::bad_input, fmt::format("unknown verb '{}'; see gibench --help", argv[1]));
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return failed(ExitStatus::bad_input, std::string(error.what()) + "; see " + called_verb(app) + " --help");
+  }
+  return static_cast<int>(call.action());
+}
+
+int guarded(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const InputError& error) {
+    return failed(ExitStatus::bad_input, error.what());
+  } catch (const WorkError& error) {
+    return failed(ExitStatus::work_failed, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(ExitStatus::work_failed, "out of memory; ask for fewer samples or a smaller scene");
+  } catch (const std::exception& error) {
+    return failed(ExitStatus::work_failed, error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  die_with_parent_study();
+  listen_for_cancellation();
+  const int status = guarded(argc, argv);
+  // Answers on stdout that did not fit on the disk are no answers.
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && status == 0)
+    return failed(ExitStatus::work_failed, "stdout: cannot be written to");
+  return status;
+}

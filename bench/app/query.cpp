@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/measuring_options.h"
+#include "bench/app/print_json.h"
+#include "bench/app/verbs.h"
+#include "bench/measure/cancellation.h"
+#include "bench/measure/run_method.h"
+#include "bench/record/query_file.h"
+#include "common/core/atomic_file.h"
+#include "common/core/error.h"
+#include "common/geometry/surface_lookup.h"
+
+namespace gibench {
+
+namespace {
+
+struct QueryOptions {
+  std::string scene, method;
+  std::vector<std::string> settings;
+  std::filesystem::path points, out;
+  std::optional<int> bounces;
+  PlanOptions plan;
+};
+
+constexpr float reach = 1e-4F;  // of the scene's diagonal: how far a point may lie from its surface
+
+/// Queries that one call of shade() answers, by their places in the list.
+using Group = std::vector<std::size_t>;
+
+std::vector<SurfaceSample> surface_points(const World& world, const std::vector<Query>& queries) {
+  std::vector<SurfaceSample> samples;
+  for (const Query& query : queries) {
+    const Vec3 point(query.point - world.scene().origin);
+    const auto sample = find_surface_point(world, point, Vec3(query.normal), reach * world.diagonal());
+    if (!sample)
+      throw InputError(query.place,
+                       fmt::format("no surface with this normal lies within {:.3g} m of the point", reach * world.diagonal()),
+                       "give a point on a surface and the normal of the side asked about");
+    samples.push_back(*sample);
+  }
+  return samples;
+}
+
+void check_quantities(const Capabilities& can, const std::vector<Query>& queries, const std::string& method) {
+  for (const Query& query : queries) {
+    const bool derived = query.quantity == Quantity::radiosity && can.quantities.contains(Quantity::irradiance);
+    if (!derived && !can.quantities.contains(query.quantity))
+      throw InputError(query.place, fmt::format("{} does not answer {}", method, to_string(query.quantity)),
+                       "ask another method");
+  }
+}
+
+/// Answers of one method, lit once, to one group of queries of the same quantity.
+void answer_group(const LitMethod& lit, const std::string& name, const std::vector<Query>& queries,
+                  const std::vector<SurfaceSample>& samples, const Group& group, Task& task, std::vector<QueryAnswer>& answers) {
+  const Quantity quantity = queries[group.front()].quantity;
+  std::vector<SurfaceSample> asked;
+  std::vector<Vec3> toward_viewer;
+  for (const std::size_t i : group) {
+    asked.push_back(samples[i]);
+    if (quantity == Quantity::radiance) toward_viewer.push_back(queries[i].direction);
+  }
+  const Capabilities can = lit.method->capabilities();
+  const bool variance = can.variance && can.quantities.contains(quantity);
+  std::vector<Rgb> direct(group.size()), indirect(group.size());
+  std::vector<Rgb> direct_variance(variance ? group.size() : 0), indirect_variance = direct_variance,
+                                                                 total_variance = direct_variance;
+  const StageReport report = lit.method->shade({quantity, asked, toward_viewer},
+                                               {direct, indirect, direct_variance, indirect_variance, total_variance}, task);
+  require_success(report, name, "shade");
+  const auto root = [](const Rgb& v) { return Rgb(std::sqrt(v.r), std::sqrt(v.g), std::sqrt(v.b)); };
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    QueryAnswer& answer = answers[group[i]];
+    const bool whole = quantity == Quantity::accessibility;  // written to `direct`, whatever the component
+    const Component component = whole ? Component::direct : queries[group[i]].component;
+    answer.value = component == Component::direct     ? direct[i]
+                   : component == Component::indirect ? indirect[i]
+                                                      : direct[i] + indirect[i];
+    if (!variance) continue;
+    const auto& of = component == Component::direct     ? direct_variance
+                     : component == Component::indirect ? indirect_variance
+                                                        : total_variance;
+    answer.standard_error = root(of[i]);
+  }
+}
+
+ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
+  const MethodChoice choice = choose_method(options.method, options.settings);
+  limits_of(options.plan, options.bounces);
+  std::vector<Query> queries = parse_queries(read_file(options.points), options.points.string());
+  const LoadedScene scene = load_world(options.scene, common.threads);
+  const std::vector<SurfaceSample> samples = surface_points(*scene.world, queries);
+  check_quantities(choice.entry->make(choice.parameters)->capabilities(), queries, choice.entry->name);
+  RunLog log({}, common.quiet);
+  std::map<std::optional<int>, std::map<Quantity, Group>> groups;
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    groups[queries[i].bounces ? queries[i].bounces : options.bounces][queries[i].quantity].push_back(i);
+  std::vector<QueryAnswer> answers(queries.size());
+  for (const auto& [bounces, by_quantity] : groups) {
+    Task task = make_task(common, fmt::format("{}, {}", scene.scene().name, choice.entry->name));
+    const LitMethod lit = prepare_and_light(*scene.world, choice, options.plan, bounces, task, log);
+    for (const auto& [quantity, group] : by_quantity)
+      answer_group(lit, choice.entry->name, queries, samples, group, task, answers);
+  }
+  stop_if_cancelled();
+  const nlohmann::ordered_json json = answers_json(queries, answers);
+  if (!options.out.empty()) write_file_atomically(options.out, json.dump(2) + "\n");
+  if (common.json || options.out.empty()) print_json(json);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_query(CLI::App& app, Call& call) {
+  CLI::App* verb = add_verb(app, call, "query", "Light at given points of a scene, by one method");
+  const auto options = std::make_shared<QueryOptions>();
+  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
+  verb->add_option("--method", options->method, "Method; see gibench list methods")->required();
+  verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
+  verb->add_option("--points", options->points, "JSON file of queries")->required();
+  verb->add_option("--out", options->out, "JSON file for the answers; without it they go to stdout");
+  add_bounces_option(*verb, options->bounces);
+  add_plan_options(*verb, options->plan);
+  add_light_paths_option(*verb, options->plan.light_paths);
+  verb->callback([&call, options] { call.action = [&call, options] { return query(*options, call.common); }; });
+}
+
+}  // namespace gibench

@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/measuring_options.h"
+#include "bench/app/print_json.h"
+#include "bench/app/verbs.h"
+#include "bench/measure/cancellation.h"
+#include "bench/measure/plan_options.h"
+#include "bench/measure/reference_files.h"
+#include "bench/measure/reference_making.h"
+#include "bench/record/output_folder.h"
+#include "bench/record/reference_facts.h"
+#include "bench/study/file_lock.h"
+#include "bench/study/shard.h"
+#include "common/core/error.h"
+
+namespace gibench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t default_samples = 64;        // paths per value and replicate, without a target
+constexpr std::uint64_t most_samples = 1ULL << 20U;  // with a target and no bound of the user's
+
+struct ReferenceOptions {
+  std::string scene;
+  MeasuringOptions measuring;
+  std::optional<std::uint64_t> samples;
+  std::optional<double> target_error;
+  int replicas = 8;
+  std::string shard = "0/1";
+  fs::path store = "references", out;
+  bool force = false;
+};
+
+ReferenceGoal goal_of(const ReferenceOptions& options) {
+  return {options.samples.value_or(options.target_error ? most_samples : default_samples), options.target_error};
+}
+
+void check_replicas(const Reference& reference, int replicas, const fs::path& folder) {
+  const auto stored = static_cast<int>(reference.surface.direct.count());
+  if (stored != replicas)
+    throw InputError("--replicas", fmt::format("the stored reference has {} replicates, not {}", stored, replicas),
+                     fmt::format("ask for {}, or remove {}", stored, folder.string()));
+}
+
+FileLock lock_of(const ReferenceStore& store, const Scene& scene, const ReferenceQuestion& question) {
+  return FileLock(store.folder_of(scene, question).string() + ".lock", FileLock::WhenTaken::wait);
+}
+
+/// Makes or extends the whole reference in the store.
+Reference make_whole(const ReferenceOptions& options, const LoadedScene& scene, const ReferenceQuestion& question,
+                     const CommonOptions& common) {
+  const ReferenceStore store(options.store);
+  const FileLock lock = lock_of(store, scene.scene(), question);
+  Reference reference = store.find(scene.scene(), question).value_or(Reference{question, 0, 0.0, {}, {}});
+  if (reference.samples_per_replica > 0) check_replicas(reference, options.replicas, store.folder_of(scene.scene(), question));
+  extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
+                   [&](const Reference& state) { store.save(scene.scene(), state); });
+  return reference;
+}
+
+fs::path shard_store(const fs::path& store, int shard, int of) { return store / "shards" / fmt::format("{}-of-{}", shard, of); }
+
+/// The whole, where every shard has its replicates of the same samples; then the parts are removed.
+std::optional<Reference> merge_if_complete(const ReferenceOptions& options, const Scene& scene, const ReferenceQuestion& question,
+                                           std::uint64_t samples, int of) {
+  const ReferenceStore whole_store(options.store);
+  const FileLock lock = lock_of(whole_store, scene, question);
+  std::vector<Reference> parts;
+  for (int i = 0; i < of; ++i) {
+    auto part = ReferenceStore(shard_store(options.store, i, of)).find(scene, question);
+    if (!part || part->samples_per_replica != samples) return std::nullopt;
+    parts.push_back(std::move(*part));
+  }
+  Reference whole = merge_shards(parts);
+  whole_store.save(scene, whole);
+  for (int i = 0; i < of; ++i) {
+    std::error_code ignored;
+    fs::remove_all(ReferenceStore(shard_store(options.store, i, of)).folder_of(scene, question), ignored);
+  }
+  return whole;
+}
+
+/// Makes one shard; gives the whole if this was the last.
+std::optional<Reference> make_shard(const ReferenceOptions& options, const LoadedScene& scene, const ReferenceQuestion& question,
+                                    const Shard& shard, const CommonOptions& common) {
+  if (options.target_error)
+    throw InputError("--target-error", "shards cannot see one another's errors", "give --samples with --shard");
+  if (shard.of > options.replicas)
+    throw InputError("--shard", fmt::format("{} shards for {} replicates", shard.of, options.replicas), "ask for fewer shards");
+  const std::uint64_t samples = whole_samples(goal_of(options).samples, question);
+  const auto whole = ReferenceStore(options.store).find(scene.scene(), question);
+  if (whole) check_replicas(*whole, options.replicas, ReferenceStore(options.store).folder_of(scene.scene(), question));
+  if (whole && whole->samples_per_replica >= samples) return whole;
+  const ReferenceStore store(shard_store(options.store, shard.index, shard.of));
+  {
+    const FileLock lock = lock_of(store, scene.scene(), question);
+    auto part = store.find(scene.scene(), question);
+    if (!part && whole) part = shard_of(*whole, shard.index, shard.of);
+    Reference reference = part.value_or(Reference{question, 0, 0.0, {}, {}});
+    extend_reference(scene, options.measuring, {options.replicas, shard.index, shard.of}, goal_of(options), common, reference,
+                     [&](const Reference& state) { store.save(scene.scene(), state); });
+  }
+  return merge_if_complete(options, scene.scene(), question, samples, shard.of);
+}
+
+void tell(const ReferenceOptions& options, const LoadedScene& scene, const Reference& reference, const CommonOptions& common) {
+  const ReferenceFacts facts = facts_of(scene.scene(), reference);
+  if (common.json) {
+    print_json(to_json(facts));
+    return;
+  }
+  if (!common.quiet)
+    fmt::print("reference of {}: {} paths per value in each of {} replicates; relative standard error {:.4f}; {}\n",
+               scene.scene().name, facts.samples_per_replica, facts.replicas, facts.relative_standard_error(),
+               ReferenceStore(options.store).folder_of(scene.scene(), reference.question).string());
+  if (options.target_error && facts.relative_standard_error() > *options.target_error && !common.quiet)
+    fmt::print(stderr, "gibench: warning: the target error {} was not reached within {} paths per replicate\n",
+               *options.target_error, facts.samples_per_replica);
+}
+
+ExitStatus reference(const ReferenceOptions& options, const CommonOptions& common) {
+  strata_per_side(options.measuring.pixel_samples, "--pixel-samples");
+  const Shard shard = parse_shard(options.shard);
+  limits_of({{}, 0.0, options.measuring.light_paths}, options.measuring.bounces);
+  const LoadedScene scene = load_world(options.scene, common.threads);
+  MeasuringOptions measuring = options.measuring;
+  measuring.reference_seed = common.seed;
+  const ReferenceQuestion question = question_of(scene.scene(), measuring);
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out, reference_file, options.force);
+  const std::optional<Reference> made =
+      shard.of == 1 ? make_whole(options, scene, question, common) : make_shard(options, scene, question, shard, common);
+  if (!made) {
+    if (common.json) print_json({{"shard", options.shard}, {"complete", false}});
+    else if (!common.quiet) fmt::print("shard {} is done; the reference is whole when the others are\n", options.shard);
+    return ExitStatus::done;
+  }
+  if (folder) {
+    write_reference_files(folder->partial(), scene.scene(), *made);
+    stop_if_cancelled();
+    folder->commit();
+  }
+  tell(options, scene, *made, common);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_reference(CLI::App& app, Call& call) {
+  CLI::App* verb = add_verb(app, call, "reference", "Makes, extends or merges the stored reference of a scene");
+  const auto options = std::make_shared<ReferenceOptions>();
+  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
+  verb->add_option("--target-error", options->target_error, "Relative standard error of the indirect light at which to stop")
+      ->check(CLI::Range(1e-6, 10.0));
+  verb->add_option(
+          "--samples", options->samples,
+          fmt::format("Paths per value (surface sample or pixel) in each replicate; {} without a target", default_samples))
+      ->check(CLI::Range(std::uint64_t{1}, most_samples));
+  verb->add_option("--replicas", options->replicas, "Independent replicates")->check(CLI::Range(2, 1024))->capture_default_str();
+  add_measuring_options(*verb, options->measuring);
+  add_light_paths_option(*verb, options->measuring.light_paths);
+  verb->add_option("--references", options->store, "Folder of the reference store")->capture_default_str();
+  verb->add_option("--shard", options->shard, "i/n: make only the replicates r with r mod n = i; the last one merges")
+      ->capture_default_str();
+  verb->add_option("--out", options->out, "Also write reference.exr and reference.json into this folder");
+  verb->add_flag("--force", options->force, "Replace an older --out");
+  verb->callback([&call, options] { call.action = [&call, options] { return reference(*options, call.common); }; });
+}
+
+}  // namespace gibench

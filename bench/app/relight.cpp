@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/measuring_options.h"
+#include "bench/app/print_json.h"
+#include "bench/app/verbs.h"
+#include "bench/measure/cancellation.h"
+#include "bench/measure/light_path.h"
+#include "bench/measure/reference_making.h"
+#include "bench/measure/run_method.h"
+#include "bench/record/relight_record.h"
+#include "common/core/atomic_file.h"
+#include "common/core/error.h"
+#include "common/metrics/errors.h"
+
+namespace gibench {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RelightOptions {
+  std::string scene, method;
+  std::vector<std::string> settings;
+  std::filesystem::path path, out;
+  std::optional<int> frames, bounces;
+  std::size_t surface_samples = 1024, compared_samples = 0;
+  std::uint64_t reference_samples = 0;
+};
+
+constexpr int reference_replicas = 8;
+
+Lighting lighting_of(const PathFrame& frame) {
+  Lighting lighting{frame.lights, {}};
+  for (const Material& material : frame.materials) lighting.emission.push_back(material.emission);
+  return lighting;
+}
+
+/// Of the mean over all replicates, channels together.
+double root_mean_variance(const Replicas& replicas) {
+  double sum = 0.0;
+  for (const Rgb& v : replicas.variance_of_mean()) sum += static_cast<double>(v.r + v.g + v.b) / 3.0;
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, replicas.size())));
+}
+
+class Relighter {
+ public:
+  Relighter(const RelightOptions& options, const CommonOptions& common, const MethodChoice& choice, Scene scene)
+      : options_(options), common_(common), choice_(choice), task_(make_task(common, scene.name + ", " + choice.entry->name)) {
+    world_ = std::make_unique<World>(std::move(scene), common.threads);
+    measuring_.bounces = options.bounces;
+    question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
+    points_ = measuring_points(*world_, question_, common.threads);
+    if (options.compared_samples > 0) question_.surface_samples = options.compared_samples;
+  }
+
+  void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, PlanOptions{}, options_.bounces, task_, log); }
+  double prepare_seconds() const { return lit_.stages.front().report.seconds; }
+  const Scene& scene() const { return world_->scene(); }
+
+  RelitFrame relight(const PathFrame& frame) {
+    RelitFrame record;
+    record.at = frame.at;
+    const Lighting lighting = lighting_of(frame);
+    if (frame.switched.empty()) keep(record, lit_.method->light(lighting, task_));
+    else switch_materials(frame, lighting, record);
+    const Answers answers = shade_surface(*lit_.method, points_, task_);
+    require_success(answers.report, choice_.entry->name, "shade");
+    record.shade_seconds = answers.report.seconds;
+    if (options_.reference_samples == 0) return record;
+    if (question_.surface_samples == points_.surface.size()) {
+      compare(frame, answers, record);
+      return record;
+    }
+    const Answers compared = shade_surface(*lit_.method, measuring_points(*world_, question_, common_.threads), task_);
+    require_success(compared.report, choice_.entry->name, "shade");
+    compare(frame, compared, record);
+    return record;
+  }
+
+ private:
+  void keep(RelitFrame& record, const StageReport& report) {
+    require_success(report, choice_.entry->name, fmt::format("relighting at {:.3g}", record.at));
+    record.relight_seconds += report.seconds;
+    record.termination = report.termination;
+  }
+
+  /// The same geometry with the frame's lights and materials.
+  Scene scene_at(const PathFrame& frame) const {
+    Scene scene = world_->scene();
+    scene.lights = frame.lights;
+    scene.materials = frame.materials;
+    return scene;
+  }
+
+  void switch_materials(const PathFrame& frame, const Lighting& lighting, RelitFrame& record) {
+    auto after = std::make_unique<World>(scene_at(frame), common_.threads);
+    for (const MaterialEdit& edit : frame.switched) {
+      keep(record, lit_.method->edit(edit, *after, lighting, task_));
+      record.switched.push_back(edit.material);
+    }
+    world_ = std::move(after);
+  }
+
+  void compare(const PathFrame& frame, const Answers& answers, RelitFrame& record) const {
+    LoadedScene lit{std::make_unique<World>(scene_at(frame), common_.threads)};
+    Reference reference{question_, 0, 0.0, {}, {}};
+    CommonOptions quietly = common_;
+    quietly.quiet = true;
+    extend_reference(lit, measuring_, {.count = reference_replicas}, {options_.reference_samples, std::nullopt}, quietly,
+                     reference, [](const Reference&) {});
+    record.errors["direct"] = value_errors(answers.direct, reference.surface.direct);
+    record.errors["indirect"] = value_errors(answers.indirect, reference.surface.indirect);
+    const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);
+    record.errors["total"] = value_errors(answers.total(), total);
+    const double paths = static_cast<double>(options_.reference_samples) * reference_replicas;
+    const PathTraced compared{reference.seconds, root_mean_variance(reference.surface.indirect), paths};
+    record.reference = at_as_many_points(compared, question_.surface_samples, points_.surface.size());
+    record.path_tracing = path_tracing_seconds(*record.reference, record.errors["indirect"]["rmse"]);
+  }
+
+  const RelightOptions& options_;
+  const CommonOptions& common_;
+  const MethodChoice& choice_;
+  Task task_;
+  std::unique_ptr<World> world_;
+  MeasuringOptions measuring_;
+  ReferenceQuestion question_;
+  MeasuringPoints points_;
+  LitMethod lit_;
+};
+
+ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
+  const MethodChoice choice = choose_method(options.method, options.settings);
+  require_relighting(choice);
+  const LoadedScene loaded = load_world(options.scene, common.threads);
+  const std::vector<PathFrame> path = read_light_path(options.path, loaded.scene(), options.frames);
+  RunLog log({}, common.quiet);
+  Relighter relighter(options, common, choice, loaded.scene());
+  relighter.prepare(log);
+  Json json{{"scene", relighter.scene().name}, {"method", choice.entry->name}, {"seed", common.seed}};
+  for (const auto& [name, value] : choice.parameters.values())
+    std::visit([&, key = name](const auto& v) { json["parameters"][key] = v; }, value);
+  std::vector<RelitFrame> frames;
+  for (const PathFrame& frame : path) {
+    frames.push_back(relighter.relight(frame));
+    stop_if_cancelled();
+    json["frames"].push_back(relit_frame_json(frames.back()));
+  }
+  json["summary"] = relight_summary_json(relighter.prepare_seconds(), frames);
+  if (!options.out.empty()) write_file_atomically(options.out, json.dump(2) + "\n");
+  if (common.json) print_json(json);
+  else if (!common.quiet) print_relight_summary(json["summary"]);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_relight(CLI::App& app, Call& call) {
+  CLI::App* verb =
+      add_verb(app, call, "relight", "Lights along a path, materials that switch: time and error of each relit frame");
+  const auto options = std::make_shared<RelightOptions>();
+  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
+  verb->add_option("--method", options->method, "Method that relights; see gibench list methods")->required();
+  verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
+  verb->add_option("--lights", options->path, "JSON file of the path; see scenes/README.md")->required();
+  verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
+  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which a frame's irradiance is asked")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  verb->add_option(
+          "--compared-samples", options->compared_samples,
+          "Surface samples at which frames are compared, path tracing's time being taken in proportion; 0: as many as asked")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  verb->add_option("--reference-samples", options->reference_samples,
+                   "Paths a value in each of eight path-traced replicates that every frame is compared with; 0: no errors")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20))
+      ->capture_default_str();
+  verb->add_option("--out", options->out, "JSON file for the frames; with --json they go to stdout");
+  add_bounces_option(*verb, options->bounces);
+  verb->callback([&call, options] { call.action = [&call, options] { return relight(*options, call.common); }; });
+}
+
+}  // namespace gibench

@@ -1,0 +1,24 @@
+#include "bench/app/run_report.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "bench/record/output_folder.h"
+#include "reports/collect/collect.h"
+#include "reports/writing/write_report.h"
+
+namespace gibench {
+
+std::filesystem::path run_report(const std::filesystem::path& study_folder, const std::filesystem::path& out, bool quiet) {
+  const report::Study study = report::collect_study(study_folder);
+  const std::filesystem::path target = out.empty() ? study_folder / "report" : out;
+  OutputFolder output(target, report::report_marker, true);
+  for (const std::string& warning : report::write_report(study, output.partial()))
+    fmt::print(stderr, "gibench: warning: {}\n", warning);
+  output.commit();
+  if (!quiet) fmt::print("report: {}\n", (target / "index.html").string());
+  return target;
+}
+
+}  // namespace gibench

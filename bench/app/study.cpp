@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bench/app/print_json.h"
+#include "bench/app/verbs.h"
+#include "bench/study/file_lock.h"
+#include "bench/study/study_runner.h"
+#include "common/core/error.h"
+
+namespace gibench {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct StudyOptions {
+  fs::path study;
+  StudySettings settings;
+  std::string shard = "0/1";
+  bool dry_run = false;
+};
+
+void list_runs(const Study& study, bool json) {
+  Json list = Json::array();
+  for (const PlannedRun& run : plan_runs(study)) {
+    const StudyVariant& variant = study.variants[run.variant];
+    if (!json) fmt::print("{}\n", run.id);
+    else
+      list.push_back(
+          {{"id", run.id}, {"scene", study.scenes[run.scene].name}, {"method", variant.method}, {"label", variant.label}});
+  }
+  if (json) print_json(list);
+}
+
+/// A folder that is new, empty or a study's.
+void check_folder(const fs::path& out) {
+  std::error_code ignored;
+  if (!fs::exists(out, ignored)) return;
+  if (!fs::is_directory(out, ignored)) throw InputError(out.string(), "is no folder", "choose another --out");
+  if (!fs::is_empty(out, ignored) && !fs::exists(out / "runs", ignored))
+    throw InputError(out.string(), "holds something else than a study", "choose another --out");
+}
+
+void print_summary(const Json& manifest, const fs::path& out) {
+  std::map<std::string, int> counts;
+  for (const Json& run : manifest.at("runs")) ++counts[run.at("status").get<std::string>()];
+  std::string text;
+  for (const auto& [status, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
+  fmt::print("{}: {}; results in {}\n", manifest.at("name").get<std::string>(), text, out.string());
+}
+
+ExitStatus study(StudyOptions options, const CommonOptions& common) {
+  options.settings.shard = parse_shard(options.shard);
+  const Study study = read_study(options.study);
+  if (options.dry_run) {
+    list_runs(study, common.json);
+    return ExitStatus::done;
+  }
+  if (options.settings.out.empty()) throw InputError("--out", "is missing", "name the folder for the results");
+  check_folder(options.settings.out);
+  const FileLock lock(options.settings.out / fmt::format("study-{}.lock", options.settings.shard.index),
+                      FileLock::WhenTaken::refuse);
+  StudyRunner runner(study, options.settings, common);
+  runner.run();
+  const Json manifest = runner.manifest();
+  if (common.json) print_json(manifest);
+  else if (!common.quiet) print_summary(manifest, options.settings.out);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Call& call) {
+  CLI::App* verb = add_verb(app, call, "study", "Scenes x methods x parameter sweeps into a folder; resumes by itself");
+  const auto options = std::make_shared<StudyOptions>();
+  verb->add_option("study", options->study, "Study file")->required();
+  verb->add_option("--out", options->settings.out, "Folder for the results");
+  verb->add_flag("--dry-run", options->dry_run, "Only list the runs");
+  verb->add_flag("--force", options->settings.force, "Redo what is finished");
+  verb->add_option("--jobs", options->settings.jobs, "Runs at a time; more than 1 disturbs the timings")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  verb->add_option("--shard", options->shard, "i/n: only the runs whose place in the plan mod n is i")->capture_default_str();
+  verb->callback([&call, options] { call.action = [&call, options] { return study(*options, call.common); }; });
+}
+
+}  // namespace gibench

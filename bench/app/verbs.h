@@ -1,0 +1,44 @@
+/// The verbs of the program. Each has a file of its name that adds its options and says what it does.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "bench/app/exit_status.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gibench {
+
+/// What every verb takes.
+struct CommonOptions {
+  std::uint64_t seed = 1;
+  int threads = 0;  ///< 0: all cores
+  bool quiet = false;
+  bool json = false;  ///< the result goes to stdout as one JSON value
+};
+
+/// What the command line asked for: filled while it is parsed, then acted on.
+struct Call {
+  CommonOptions common;
+  std::function<ExitStatus()> action;
+};
+
+void add_verbs(CLI::App& app, Call& call);
+
+void add_list(CLI::App& app, Call& call);
+void add_check(CLI::App& app, Call& call);
+void add_run(CLI::App& app, Call& call);
+void add_query(CLI::App& app, Call& call);
+void add_reference(CLI::App& app, Call& call);
+void add_relight(CLI::App& app, Call& call);
+void add_compare(CLI::App& app, Call& call);
+void add_study(CLI::App& app, Call& call);
+void add_report(CLI::App& app, Call& call);
+
+/// A verb with the common options.
+CLI::App* add_verb(CLI::App& app, Call& call, const char* name, const char* summary);
+
+}  // namespace gibench

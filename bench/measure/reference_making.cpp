@@ -1,0 +1,167 @@
+#include "bench/measure/reference_making.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "bench/app/progress_bar.h"
+#include "bench/measure/cancellation.h"
+#include "bench/measure/run_method.h"
+#include "bench/record/reference_facts.h"
+#include "common/core/error.h"
+#include "common/core/random.h"
+
+namespace gibench {
+
+namespace {
+
+constexpr std::uint64_t first_round = 16;  // paths per value and replicate
+constexpr std::uint64_t replica_stage = 0x7265706c696361ULL;
+
+/// Makes one replicate's estimates from `first` on; everything about it is keyed by its own seed.
+class ReplicaMaker {
+ public:
+  ReplicaMaker(const LoadedScene& scene, const ReferenceQuestion& question, const MeasuringOptions& measuring,
+               const CommonOptions& common)
+      : scene_(scene),
+        question_(question),
+        bounces_(measuring.bounces),
+        plan_{{}, 0.0, measuring.light_paths},
+        common_(common),
+        points_(measuring_points(*scene.world, question, common.threads)) {}
+
+  struct Estimates {
+    Answers surface;
+    std::optional<Answers> image;
+  };
+
+  Estimates make(int replica, std::uint64_t first, std::uint64_t count) const {
+    Estimates estimates;
+    estimates.surface = answers(replica, first, count,
+                                [this](const LitMethod& lit, Task& task) { return shade_surface(*lit.method, points_, task); });
+    // A pixel's paths are shared out among its camera rays.
+    const auto per_pixel = static_cast<std::uint64_t>(question_.pixel_samples);
+    if (points_.camera)
+      estimates.image = answers(replica, first / per_pixel, count / per_pixel, [this](const LitMethod& lit, Task& task) {
+        return shade_image(*lit.method, points_, lit.shows_background(), task);
+      });
+    return estimates;
+  }
+
+ private:
+  template <class Shade>
+  Answers answers(int replica, std::uint64_t first, std::uint64_t count, const Shade& shade) const {
+    const MethodChoice choice = choose_method(ReferenceMethod::name, {fmt::format("{}={}", ReferenceMethod::samples, count),
+                                                                      fmt::format("{}={}", ReferenceMethod::first_sample, first),
+                                                                      fmt::format("{}=1", ReferenceMethod::replicates)});
+    CommonOptions own = common_;
+    own.seed = mix_keys(question_.seed, replica_stage, static_cast<std::uint64_t>(replica));
+    own.quiet = true;
+    RunLog log({}, true);
+    Task task = make_task(own, {});
+    const LitMethod lit = prepare_and_light(*scene_.world, choice, plan_, bounces_, task, log);
+    Answers result = shade(lit, task);
+    require_success(result.report, ReferenceMethod::name, "shade");
+    return result;
+  }
+
+  const LoadedScene& scene_;
+  ReferenceQuestion question_;
+  std::optional<int> bounces_;
+  PlanOptions plan_;
+  CommonOptions common_;
+  MeasuringPoints points_;
+};
+
+void keep(ReferenceValues& values, const Answers& answers) {
+  values.direct.replicas.push_back(answers.direct);
+  values.indirect.replicas.push_back(answers.indirect);
+}
+
+bool reached(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
+  if (reference.samples_per_replica >= goal.samples) return true;
+  return goal.target_error && reference.samples_per_replica > 0 &&
+         facts_of(scene, reference).relative_standard_error() <= *goal.target_error;
+}
+
+std::vector<std::vector<Rgb>> every(const std::vector<std::vector<Rgb>>& replicas, std::size_t first, std::size_t step) {
+  std::vector<std::vector<Rgb>> chosen;
+  for (std::size_t r = first; r < replicas.size(); r += step) chosen.push_back(replicas[r]);
+  return chosen;
+}
+
+/// Replica r of the whole stands in shard r mod n at place r / n.
+Replicas interleave(const std::vector<const Replicas*>& shards) {
+  std::size_t count = 0;
+  for (const Replicas* shard : shards) count += shard->count();
+  Replicas whole;
+  for (std::size_t r = 0; r < count; ++r) whole.replicas.push_back(shards[r % shards.size()]->replicas.at(r / shards.size()));
+  return whole;
+}
+
+}  // namespace
+
+std::uint64_t whole_samples(std::uint64_t samples, const ReferenceQuestion& question) {
+  const auto unit = static_cast<std::uint64_t>(question.camera ? question.pixel_samples : 1);
+  return (samples + unit - 1) / unit * unit;
+}
+
+void extend_reference(const LoadedScene& scene, const MeasuringOptions& measuring, const ReplicaSet& set,
+                      const ReferenceGoal& goal, const CommonOptions& common, Reference& reference,
+                      const std::function<void(const Reference&)>& after_round) {
+  const ReferenceQuestion& question = reference.question;
+  const ReplicaMaker maker(scene, question, measuring, common);
+  const auto own = static_cast<std::size_t>(set.own());
+  ProgressBar bar("reference of " + scene.scene().name, common.quiet);
+  const ReferenceGoal whole_goal{whole_samples(goal.samples, question), goal.target_error};
+  const std::uint64_t begun_with = reference.samples_per_replica;
+  while (!reached(whole_goal, scene.scene(), reference)) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::uint64_t before = reference.samples_per_replica;
+    const std::uint64_t after = std::min(whole_goal.samples, whole_samples(std::max(first_round, 2 * before), question));
+    Reference more{question, after - before, 0.0, {}, {}};
+    for (std::size_t i = 0; i < own; ++i) {
+      const double in_round = static_cast<double>(i) / static_cast<double>(own);
+      bar.update(fmt::format("{} samples", after),
+                 (static_cast<double>(before - begun_with) + in_round * static_cast<double>(after - before)) /
+                     static_cast<double>(whole_goal.samples - begun_with));
+      const auto estimates = maker.make(set.shard + static_cast<int>(i) * set.of, before, after - before);
+      keep(more.surface, estimates.surface);
+      if (estimates.image) keep(more.image, *estimates.image);
+      stop_if_cancelled();
+    }
+    more.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (before == 0) reference = std::move(more);
+    else merge(reference, more);
+    after_round(reference);
+  }
+}
+
+Reference shard_of(const Reference& whole, int shard, int of) {
+  Reference part = whole;
+  for (Replicas* replicas : {&part.surface.direct, &part.surface.indirect, &part.image.direct, &part.image.indirect})
+    replicas->replicas = every(replicas->replicas, static_cast<std::size_t>(shard), static_cast<std::size_t>(of));
+  part.seconds = whole.seconds / of;
+  return part;
+}
+
+Reference merge_shards(const std::vector<Reference>& shards) {
+  GIBENCH_CHECK(!shards.empty(), "a whole has parts");
+  Reference whole = shards.front();
+  whole.seconds = 0.0;
+  std::vector<const Replicas*> surface_direct, surface_indirect, image_direct, image_indirect;
+  for (const Reference& shard : shards) {
+    GIBENCH_CHECK(shard.samples_per_replica == whole.samples_per_replica, "shards of one reference took the same samples");
+    whole.seconds += shard.seconds;
+    surface_direct.push_back(&shard.surface.direct);
+    surface_indirect.push_back(&shard.surface.indirect);
+    image_direct.push_back(&shard.image.direct);
+    image_indirect.push_back(&shard.image.indirect);
+  }
+  whole.surface = {interleave(surface_direct), interleave(surface_indirect)};
+  whole.image = {interleave(image_direct), interleave(image_indirect)};
+  return whole;
+}
+
+}  // namespace gibench

@@ -1,0 +1,95 @@
+#include "bench/measure/run_errors.h"
+
+#include <algorithm>
+
+#include "common/core/error.h"
+#include "common/metrics/errors.h"
+
+namespace gibench {
+
+namespace {
+
+/// The replicates of one component.
+Replicas component_of(const ReferenceValues& values, const std::string& component) {
+  if (component == "direct") return values.direct;
+  if (component == "indirect") return values.indirect;
+  return Replicas::sum(values.direct, values.indirect);
+}
+
+std::vector<Rgb> component_of(const Answers& answers, const std::string& component) {
+  if (component == "direct") return answers.direct;
+  if (component == "indirect") return answers.indirect;
+  return answers.total();
+}
+
+void check_sizes(const ReferenceValues& values, const Answers& answers, const char* where) {
+  if (values.direct.size() != answers.direct.size() || values.indirect.size() != answers.indirect.size())
+    throw InputError(std::string("the stored reference, ") + where, "holds another number of values than were asked for",
+                     "it is damaged: remove its folder and make it again");
+}
+
+void check_comparable(const Replicas& all, const Replicas& some) {
+  if (all.size() != some.size() || all.count() < 2 || some.count() < 2)
+    throw InputError("the stored reference of the method's light paths", "does not fit that of all paths",
+                     "remove its folder and make it again");
+}
+
+}  // namespace
+
+std::map<std::string, DomainErrors> errors_against(const Reference& reference, const Answers& surface,
+                                                   const std::optional<Answers>& image, const Exposure& exposure) {
+  check_sizes(reference.surface, surface, "surface");
+  if (image) check_sizes(reference.image, *image, "image");
+  std::map<std::string, DomainErrors> errors;
+  for (const char* component : {"direct", "indirect", "total"}) {
+    if (!surface.direct.empty())
+      errors[component]["surface"] = value_errors(component_of(surface, component), component_of(reference.surface, component));
+    if (!image) continue;
+    const Camera& camera = *reference.question.camera;
+    errors[component]["image"] = image_errors(camera.width, camera.height, component_of(*image, component),
+                                              component_of(reference.image, component), exposure);
+  }
+  return errors;
+}
+
+namespace {
+
+/// Replicates of all paths' values, moved so that the difference to `fixed` has the noise of all_r − some_r: their halves'
+/// differences are then independent estimates of what is lacking, and their mean is that of all paths.
+Replicas against_fixed(const Replicas& all, const Replicas& some, const std::vector<Rgb>& fixed) {
+  Replicas moved;
+  const std::size_t count = std::min(all.count(), some.count()) / 2 * 2;
+  for (std::size_t r = 0; r < count; ++r) {
+    moved.replicas.push_back(all.replicas[r]);
+    for (std::size_t i = 0; i < fixed.size(); ++i) moved.replicas[r][i] += fixed[i] - some.replicas[r][i];
+  }
+  return moved;
+}
+
+}  // namespace
+
+std::map<std::string, DomainErrors> model_errors(const Reference& all, const Reference& some, const Exposure& exposure) {
+  std::map<std::string, DomainErrors> errors;
+  for (const char* component : {"direct", "indirect", "total"}) {
+    if (const Replicas of_all = component_of(all.surface, component), of_some = component_of(some.surface, component);
+        of_all.size() > 0) {
+      check_comparable(of_all, of_some);
+      const std::vector<Rgb> fixed = of_some.mean();
+      errors[component]["surface"] = value_errors(fixed, against_fixed(of_all, of_some, fixed));
+    }
+    const Replicas of_all = component_of(all.image, component), of_some = component_of(some.image, component);
+    if (of_all.size() == 0) continue;
+    check_comparable(of_all, of_some);
+    const std::vector<Rgb> fixed = of_some.mean();
+    const Camera& camera = *all.question.camera;
+    errors[component]["image"] =
+        image_errors(camera.width, camera.height, fixed, against_fixed(of_all, of_some, fixed), exposure);
+  }
+  return errors;
+}
+
+Exposure exposure_for(const Scene& scene, std::span<const Rgb> total) {
+  return scene.exposure ? *scene.exposure : automatic_exposure(total);
+}
+
+}  // namespace gibench

@@ -1,0 +1,153 @@
+#include "bench/measure/run_method.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bench/app/progress_bar.h"
+#include "bench/measure/cancellation.h"
+#include "common/core/error.h"
+#include "common/light_paths/automaton.h"
+#include "methods/registry.h"
+
+namespace gibench {
+
+namespace {
+
+constexpr int most_compared = 256;  // bounces; an expression writes no larger bound
+
+void log_stage(const StageRecord& stage, RunLog& log) {
+  std::string counts;
+  for (const auto& [name, value] : stage.report.counters.values()) counts += fmt::format(", {} {}", value, name);
+  log.info(fmt::format("{}: {} after {:.4f} s{}{}{}", stage.stage, to_string(stage.report.termination), stage.report.seconds,
+                       counts, stage.report.message.empty() ? "" : "; ", stage.report.message));
+  for (const ProgressPoint& point : stage.report.history)
+    if (point.residual >= 0.0) log.info(fmt::format("{}: {}: residual {:.3e}", stage.stage, point.step, point.residual));
+}
+
+std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan, const std::string& method) {
+  std::vector<std::string> warnings = scene.warnings;
+  if (!plan.missing.empty())
+    warnings.push_back(fmt::format("{} cannot simulate what the scene calls for: {}", method, names_of(plan.missing)));
+  if (plan.unlit) warnings.push_back("nothing to simulate: " + plan.skipped.front().why);
+  else if (!plan.simulates(Effect::direct) && plan.skips_indirect())
+    warnings.emplace_back("nothing to simulate: the plan leaves neither direct nor indirect light");
+  return warnings;
+}
+
+std::vector<std::string> completed_components(const Capabilities& can) {
+  std::vector<std::string> completed;
+  if (!can.direct) completed.emplace_back("direct");
+  return completed;
+}
+
+}  // namespace
+
+MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings) {
+  const MethodEntry& entry = find_method(name);
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InputError("--set", fmt::format("'{}' is no setting", setting), "write --set name=value");
+    pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  return {&entry, Parameters(entry.schema, pairs)};
+}
+
+void require_relighting(const MethodChoice& choice, const std::string& place) {
+  if (choice.entry->make(choice.parameters)->capabilities().relights) return;
+  std::string known;
+  for (const MethodEntry& entry : all_methods())
+    if (entry.make(Parameters(entry.schema, {}))->capabilities().relights) known += (known.empty() ? "" : ", ") + entry.name;
+  throw InputError(place, fmt::format("{} does not relight: new lights cost it as much as a new scene", choice.entry->name),
+                   known.empty() ? "no method does" : "known to relight: " + known);
+}
+
+Task make_task(const CommonOptions& common, const std::string& title) {
+  TaskSettings settings;
+  settings.seed = common.seed;
+  settings.threads = common.threads;
+  settings.cancel = cancellation();
+  settings.on_progress = [bar = std::make_shared<ProgressBar>(title, common.quiet)](const ProgressPoint& point) {
+    bar->update(point.step, point.done);
+  };
+  return Task(std::move(settings));
+}
+
+PlannedMethod plan_method(const SceneEffects& effects, const MethodChoice& choice, const std::string& light_paths) {
+  PlannedMethod planned{choice.entry->make(choice.parameters), {}, {}, false};
+  const Capabilities can = planned.method->capabilities();
+  if (!light_paths.empty() && !can.any_light_paths)
+    throw InputError("--light-paths", fmt::format("{} cannot choose its light paths", choice.entry->name),
+                     "leave it out, or choose what it simulates by --effects");
+  planned.plan = plan_effects(effects, effects_of(can));
+  planned.plan.light_paths = light_paths;
+  planned.light_paths = planned.method->light_paths(planned.plan);
+  const PathAutomaton asked(
+      path_class(effects.limits.bounces.value_or(0) > most_compared ? std::nullopt : effects.limits.bounces));
+  planned.complete =
+      equivalent(PathAutomaton(planned.light_paths).restricted_to(effects.events), asked.restricted_to(effects.events));
+  return planned;
+}
+
+bool LitMethod::shows_background() const {
+  return PathAutomaton(light_paths).accepts(PathAutomaton::start, PathEvent::background);
+}
+
+LitMethod prepare_and_light(const World& world, const MethodChoice& choice, const PlanOptions& options,
+                            std::optional<int> bounces, Task& task, RunLog& log) {
+  const std::string& name = choice.entry->name;
+  LitMethod lit;
+  if (const auto why = choice.entry->make(choice.parameters)->refusal(world.scene()))
+    throw WorkError(fmt::format("{}{} cannot work on scene '{}': {}", refusal_prefix, name, world.scene().name, *why));
+  static_cast<PlannedMethod&>(lit) =
+      plan_method(analyse_effects(world, limits_of(options, bounces)), choice, options.light_paths);
+  log.info(fmt::format("{} simulates {}; light paths {}", name,
+                       lit.plan.simulated.empty() ? "nothing" : names_of(lit.plan.simulated), lit.light_paths));
+  for (const SkippedEffect& effect : lit.plan.skipped)
+    log.info(fmt::format("skipped {}: {}", to_string(effect.effect), effect.why));
+  lit.stages.push_back({"prepare", lit.method->prepare(world, lit.plan, task)});
+  log_stage(lit.stages.back(), log);
+  require_success(lit.stages.back().report, name, "prepare");
+  lit.stages.push_back({"light", lit.method->light(Lighting::of(world.scene()), task)});
+  log_stage(lit.stages.back(), log);
+  require_success(lit.stages.back().report, name, "light");
+  return lit;
+}
+
+RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
+                      const PlanOptions& options, const CommonOptions& common, RunLog& log) {
+  const World& world = *scene.world;
+  const std::string& name = choice.entry->name;
+  const int threads = common.threads > 0 ? common.threads : hardware_threads();
+  const ReferenceQuestion question = question_of(scene.scene(), measuring);
+  log.info(fmt::format("scene '{}': {} triangles, read in {:.4f} s; {}, seed {}, {} threads", scene.scene().name,
+                       scene.scene().triangles.size(), scene.seconds, name, common.seed, threads));
+  Task task = make_task(common, fmt::format("{}, {}", scene.scene().name, name));
+  LitMethod lit = prepare_and_light(world, choice, options, measuring.bounces, task, log);
+  const MeasuringPoints points = measuring_points(world, question, common.threads);
+  RunOutcome outcome{{}, shade_surface(*lit.method, points, task), std::nullopt};
+  const auto keep = [&](const char* stage, const StageReport& report) {
+    lit.stages.push_back({stage, report});
+    log_stage(lit.stages.back(), log);
+    require_success(report, name, stage);
+  };
+  keep("shade_surface", outcome.surface.report);
+  if (points.camera) {
+    outcome.image = shade_image(*lit.method, points, lit.shows_background(), task);
+    keep("shade_image", outcome.image->report);
+  }
+  RunRecord& record = outcome.record;
+  record.scene = scene.scene().name, record.method = name, record.parameters = choice.parameters.values();
+  record.seed = common.seed, record.threads = threads, record.question = question, record.plan = lit.plan;
+  record.light_paths = lit.light_paths, record.complete = lit.complete;
+  record.completed = completed_components(lit.method->capabilities());
+  record.load_seconds = scene.seconds;
+  record.stages = std::move(lit.stages);
+  record.method_bytes = lit.method->bytes();
+  record.counters = task.counters();
+  record.warnings = warnings_of(scene.scene(), lit.plan, name);
+  return outcome;
+}
+
+}  // namespace gibench

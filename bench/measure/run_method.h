@@ -1,0 +1,67 @@
+/// One method on one scene: planned, prepared, lit, asked at the measuring points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/app/verbs.h"
+#include "bench/measure/loaded_scene.h"
+#include "bench/measure/measuring.h"
+#include "bench/measure/plan_options.h"
+#include "bench/measure/run_log.h"
+#include "bench/record/run_record.h"
+#include "common/effects/scene_effects.h"
+#include "common/method/method.h"
+
+namespace gibench {
+
+/// Which method, how set.
+struct MethodChoice {
+  const MethodEntry* entry = nullptr;
+  Parameters parameters;
+};
+
+/// `settings` are "name=value" texts as of --set. Throws InputError for what is unknown, out of range or no setting.
+MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings);
+
+/// Throws InputError, the methods that do listed, for a method whose capabilities do not say that it relights.
+/// `place` is where the method is named.
+void require_relighting(const MethodChoice& choice, const std::string& place = "--method");
+
+/// The prefix of the message of a WorkError by which a refusal is told from a failure.
+inline constexpr const char* refusal_prefix = "refused: ";
+
+/// What a method is to simulate on a scene and the paths that this means.
+struct PlannedMethod {
+  std::unique_ptr<TransportMethod> method;
+  EffectPlan plan;
+  std::string light_paths;
+  bool complete = false;  ///< all paths that the scene has, of the bounces asked for
+};
+/// Throws InputError for light paths given to a method that cannot choose its paths.
+PlannedMethod plan_method(const SceneEffects& effects, const MethodChoice& choice, const std::string& light_paths = {});
+
+/// A method that is ready to be asked. Throws WorkError for a refusal and for a stage that failed.
+struct LitMethod : PlannedMethod {
+  std::vector<StageRecord> stages;  ///< prepare and light
+
+  /// Whether what a camera sees behind the scene belongs to the answer.
+  bool shows_background() const;
+};
+LitMethod prepare_and_light(const World& world, const MethodChoice& choice, const PlanOptions& options,
+                            std::optional<int> bounces, Task& task, RunLog& log);
+
+/// A task of the common options, with cancellation, and a progress line that names what works.
+Task make_task(const CommonOptions& common, const std::string& title);
+
+struct RunOutcome {
+  RunRecord record;
+  Answers surface;
+  std::optional<Answers> image;
+};
+RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
+                      const PlanOptions& options, const CommonOptions& common, RunLog& log);
+
+}  // namespace gibench

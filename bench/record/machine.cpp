@@ -1,0 +1,56 @@
+#include "bench/record/machine.h"
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "commit.h"
+#include "common/core/parallel.h"
+
+namespace gibench {
+
+namespace {
+
+/// The rest of the first line of `file` that starts with `key`, without separators and quotes; empty: none.
+std::string value_in(const char* file, const std::string& key) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.compare(0, key.size(), key) != 0) continue;
+    const std::size_t first = line.find_first_not_of(" \t:=\"", key.size());
+    if (first == std::string::npos) return {};
+    return line.substr(first, line.find_last_not_of("\" \t") - first + 1);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string version() { return GIBENCH_VERSION; }
+std::string commit() { return GIBENCH_COMMIT; }
+
+nlohmann::ordered_json machine_json() {
+  nlohmann::ordered_json machine;
+  if (const std::string cpu = value_in("/proc/cpuinfo", "model name"); !cpu.empty()) machine["cpu"] = cpu;
+  machine["cores"] = hardware_threads();
+  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+  if (pages > 0 && page > 0) machine["memory_bytes"] = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+  std::string os = value_in("/etc/os-release", "PRETTY_NAME");
+  if (utsname name{}; uname(&name) == 0) os += std::string(os.empty() ? "" : ", ") + name.sysname + " " + name.release;
+  if (!os.empty()) machine["os"] = os;
+#ifdef __clang__
+  machine["compiler"] = "clang " __clang_version__;
+#else
+  machine["compiler"] = "g++ " __VERSION__;
+#endif
+  machine["build"] = GIBENCH_BUILD_TYPE;
+  return machine;
+}
+
+std::uint64_t peak_bytes() {
+  const std::string text = value_in("/proc/self/status", "VmHWM");
+  return text.empty() ? 0 : std::stoull(text) * 1024;  // "1234 kB"
+}
+
+}  // namespace gibench

@@ -1,0 +1,74 @@
+/// A study as it is asked for: scenes × method variants, all checked before anything runs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench/measure/measuring.h"
+#include "bench/measure/plan_options.h"
+#include "common/method/parameters.h"
+
+namespace gibench {
+
+/// The text of scenes/study.schema.json (JSON Schema draft 7) as it was when the program was built.
+const char* study_schema_text();
+
+struct StudyScene {
+  std::string name;            ///< file name without its extension, unique in the study
+  std::filesystem::path file;  ///< as the loader takes it
+};
+
+/// One method with one set of parameters.
+struct StudyVariant {
+  std::string method, label;                                      ///< the label is unique in the study
+  std::vector<std::string> settings;                              ///< "name=value", those that differ from nothing: as given
+  std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
+  PlanOptions plan;                                               ///< what it may simulate
+  std::set<std::size_t> scenes;                                   ///< places of the scenes on which it runs; empty: all
+
+  bool runs_on(std::size_t scene) const { return scenes.empty() || scenes.contains(scene); }
+};
+
+/// A method prepared once and lit along a path.
+struct StudyRelight {
+  std::size_t scene = 0;  ///< place in the study
+  std::filesystem::path lights;
+  std::string method, label;                                      ///< the label is unique among those of the scene
+  std::vector<std::string> settings;                              ///< "name=value"
+  std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
+  std::optional<int> frames;
+  std::size_t surface_samples = 0;
+  std::size_t compared_samples = 0;      ///< 0: as many as are asked
+  std::uint64_t reference_samples = 64;  ///< paths a value and replicate
+};
+
+struct StudyReference {
+  std::optional<std::uint64_t> samples;
+  std::optional<double> target_error;
+  int replicas = 8;
+  std::optional<double> time_limit_seconds;
+};
+
+struct Study {
+  std::string name;
+  std::shared_ptr<const nlohmann::json> json;  ///< as read
+  std::vector<StudyScene> scenes;
+  std::vector<StudyVariant> variants;
+  std::vector<StudyRelight> relights;
+  std::optional<StudyReference> reference;
+  MeasuringOptions measuring;
+  std::optional<double> time_limit_seconds;
+  std::optional<std::uint64_t> memory_limit_bytes;
+};
+
+/// Reads, validates and expands the sweeps. Throws InputError with file, JSON path and mend: unknown keys, methods and
+/// parameters (the known ones listed), values out of range, labels or scenes that stand twice, scenes that are nowhere.
+Study read_study(const std::filesystem::path& file);
+
+}  // namespace gibench

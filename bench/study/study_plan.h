@@ -1,0 +1,52 @@
+/// The runs of a study and where their results lie.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/app/verbs.h"
+#include "bench/study/study_file.h"
+
+namespace gibench {
+
+struct PlannedRun {
+  std::string id;                      ///< name of its folder, unique in the study
+  std::size_t scene = 0, variant = 0;  ///< places in the study
+};
+
+struct PlannedRelight {
+  std::string id;           ///< name of its folder, unique in the study
+  std::size_t relight = 0;  ///< place in the study
+};
+
+/// Every variant on each of its scenes, scene by scene.
+std::vector<PlannedRun> plan_runs(const Study& study);
+std::vector<PlannedRelight> plan_relights(const Study& study);
+
+/// What a finished run is known by: another key means that its result is not that of this study any more. Hash of the
+/// program's version and commit, scene, method, parameters, seed, threads, where it is measured, and the reference.
+std::string run_key(const Study& study, const PlannedRun& run, const CommonOptions& common, const std::string& scene_key,
+                    const std::string& reference_state);
+
+/// The same of a relighting; `lights` is the text of its light path.
+std::string relight_key(const StudyRelight& relight, const CommonOptions& common, const std::string& scene_key,
+                        const std::string& lights);
+
+/// The folders of a study's results.
+struct StudyFolders {
+  std::filesystem::path root;
+  std::filesystem::path manifest() const { return root / "manifest.json"; }
+  std::filesystem::path run(const std::string& id) const { return root / "runs" / id; }
+  std::filesystem::path reference(const std::string& scene) const { return root / "references" / scene; }
+  std::filesystem::path scratch() const { return root / "scratch"; }
+};
+
+/// The options after `gibench run|reference SCENE` that say where and for which paths.
+std::vector<std::string> measuring_arguments(const MeasuringOptions& measuring);
+
+/// The options after `gibench run|check SCENE` that say what may be simulated.
+std::vector<std::string> plan_arguments(const PlanOptions& plan);
+
+}  // namespace gibench

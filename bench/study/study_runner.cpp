@@ -1,0 +1,313 @@
+#include "bench/study/study_runner.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <ctime>
+#include <exception>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+
+#include "bench/measure/cancellation.h"
+#include "bench/measure/reference_files.h"
+#include "bench/measure/result_files.h"
+#include "bench/measure/run_method.h"
+#include "common/core/atomic_file.h"
+#include "common/core/error.h"
+#include "common/reference/folder_replacement.h"
+
+namespace gibench {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Calls work(0), …, work(count − 1) on `jobs` threads; the first exception is thrown here once all threads ended.
+void for_each_job(int jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr first_error;
+  std::mutex error_mutex;
+  const auto take_jobs = [&] {
+    for (std::size_t i = next++; i < count && !cancellation()->load(); i = next++) try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(error_mutex);
+        if (!first_error) first_error = std::current_exception();
+        next = count;
+      }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < jobs; ++i) threads.emplace_back(take_jobs);
+  take_jobs();
+  for (std::thread& thread : threads) thread.join();
+  if (first_error) std::rethrow_exception(first_error);
+}
+
+/// The line of an error without the program's name.
+std::string message_of(const std::string& line) {
+  const std::string prefix = "gibench: ";
+  return line.starts_with(prefix) ? line.substr(prefix.size()) : line;
+}
+
+const char* status_of(const ChildResult& child) {
+  switch (child.end) {
+    case ChildEnd::timed_out: return "timed_out";
+    case ChildEnd::signalled: return "crashed";
+    case ChildEnd::over_memory:
+    case ChildEnd::cancelled: return "failed";
+    case ChildEnd::exited: break;
+  }
+  if (child.exit_code == 0) return "done";
+  return message_of(child.error).starts_with(refusal_prefix) ? "refused" : "failed";
+}
+
+std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
+  switch (child.end) {
+    case ChildEnd::timed_out: return fmt::format("stopped at its time limit of {} s", *limits.seconds);
+    case ChildEnd::over_memory:
+      return fmt::format("stopped at its memory limit of {} MB", static_cast<double>(*limits.bytes) / (1024.0 * 1024.0));
+    case ChildEnd::signalled:
+      return fmt::format("ended by a signal: {}{}{}", describe_signal(child.signal), child.error.empty() ? "" : "; ",
+                         child.error);
+    case ChildEnd::cancelled: return "cancelled";
+    case ChildEnd::exited: break;
+  }
+  return child.exit_code == 0 ? std::string() : message_of(child.error);
+}
+
+/// Models that a scene needs are not on this machine: the loader's mend names the variable that says where to look.
+bool lacks_files(const ChildResult& check) {
+  return check.exit_code == 2 && check.error.find("GIBENCH_PATH") != std::string::npos;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string(), "cannot be made (" + error.message() + ")", "choose a folder that you may write to");
+}
+
+}  // namespace
+
+StudyRunner::StudyRunner(const Study& study, StudySettings settings, const CommonOptions& common)
+    : study_(study),
+      settings_(std::move(settings)),
+      common_(common),
+      folders_{settings_.out},
+      runs_(plan_runs(study)),
+      relights_(plan_relights(study)),
+      scenes_(study.scenes.size()),
+      bar_(std::make_unique<ProgressBar>("study " + study.name, common.quiet)),
+      created_(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))) {}
+StudyRunner::~StudyRunner() = default;
+
+void StudyRunner::run() {
+  make_folder(folders_.root / "runs");
+  make_folder(folders_.scratch());
+  check_scenes();
+  write_manifest();
+  make_references();
+  write_manifest();
+  run_all();
+  write_manifest();
+  std::error_code ignored;
+  fs::remove(folders_.scratch(), ignored);  // stays while another shard works in it
+  stop_if_cancelled();
+}
+
+ChildResult StudyRunner::child(std::vector<std::string> arguments, const ChildLimits& limits, const std::string& name) const {
+  for (const std::string& argument : {std::string("--threads"), std::to_string(common_.threads), std::string("--quiet")})
+    arguments.push_back(argument);
+  ChildResult result = run_child(arguments, limits, folders_.scratch(), name);
+  std::error_code ignored;
+  for (const char* extension : {".out", ".err"}) fs::remove(folders_.scratch() / (name + extension), ignored);
+  return result;
+}
+
+void StudyRunner::check_scenes() {
+  for (std::size_t s = 0; s < scenes_.size(); ++s) {
+    const StudyScene& scene = study_.scenes[s];
+    const ChildResult result = child({"check", scene.file.string(), "--json"}, {}, "check-" + scene.name);
+    stop_if_cancelled();
+    if (result.end == ChildEnd::exited && result.exit_code == 0) {
+      scenes_[s].check = Json::parse(result.out);
+      if (study_.reference)
+        scenes_[s].reference = read_json_if_there(folders_.reference(scene.name) / reference_file).value_or(Json());
+    } else if (lacks_files(result)) {
+      scenes_[s].skipped = message_of(result.error);
+      tell(fmt::format("skipped {}: {}", scene.name, *scenes_[s].skipped));
+    } else if (result.exit_code == 2) {
+      throw InputError("scene " + scene.name, message_of(result.error));
+    } else {
+      throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));
+    }
+  }
+}
+
+void StudyRunner::make_references() {
+  if (!study_.reference) return;
+  std::vector<bool> needed(scenes_.size(), false);
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (is_own(i)) needed[runs_[i].scene] = true;
+  for_each_job(settings_.jobs, scenes_.size(), [&](std::size_t scene) {
+    if (!needed[scene] || scenes_[scene].skipped) return;
+    make_reference(scene);
+    make_path_references(scene);
+  });
+  stop_if_cancelled();
+}
+
+void StudyRunner::make_reference(std::size_t scene) {
+  SceneState& state = scenes_[scene];
+  const std::string& name = study_.scenes[scene].name;
+  const fs::path folder = folders_.reference(name);
+  std::vector<std::string> arguments = reference_arguments(scene, study_.measuring);
+  arguments.insert(arguments.end(), {"--out", folder.string(), "--force"});
+  const ChildLimits limits = reference_limits();
+  const ChildResult result = child(arguments, limits, "reference-" + name);
+  if (result.end == ChildEnd::cancelled) return;
+  if (const std::string reason = reason_of(result, limits); !reason.empty()) {
+    state.reference_message = "no reference: " + reason;
+    state.reference = Json();
+    tell(fmt::format("{}: {}", name, state.reference_message));
+    return;
+  }
+  state.reference = read_json_if_there(folder / reference_file).value_or(Json());
+  tell(fmt::format("{}: reference ready, {:.1f} s", name, result.seconds));
+}
+
+bool StudyRunner::is_own(std::size_t place) const {
+  return place % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index);
+}
+
+void StudyRunner::run_all() {
+  std::vector<std::function<void()>> own;
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (is_own(i) && !scenes_[runs_[i].scene].skipped) own.emplace_back([this, i] { run_one(runs_[i]); });
+  for (std::size_t i = 0; i < relights_.size(); ++i)
+    if (is_own(runs_.size() + i) && !scenes_[study_.relights[relights_[i].relight].scene].skipped)
+      own.emplace_back([this, i] { relight_one(relights_[i]); });
+  due_ = own.size();
+  for_each_job(settings_.jobs, own.size(), [&](std::size_t i) { own[i](); });
+  bar_->wipe();
+}
+
+void StudyRunner::run_for(const std::string& id, const std::string& key,
+                          const std::function<std::vector<std::string>(const fs::path& made)>& arguments) {
+  if (!settings_.force && is_kept(id, key)) {
+    ++finished_;
+    return;
+  }
+  fs::path made = folders_.run(id);
+  made += ".new";
+  std::error_code ignored;
+  fs::remove_all(made, ignored);
+  const ChildResult result = child(arguments(made), {study_.time_limit_seconds, study_.memory_limit_bytes}, id);
+  if (result.end == ChildEnd::cancelled || cancellation()->load()) {
+    fs::remove_all(made, ignored);
+    return;
+  }
+  record(id, result, key, made);
+}
+
+void StudyRunner::run_one(const PlannedRun& run) {
+  const StudyVariant& variant = study_.variants[run.variant];
+  run_for(run.id, key_of(run), [&](const fs::path& made) {
+    std::vector<std::string> arguments{"run",
+                                       study_.scenes[run.scene].file.string(),
+                                       "--method",
+                                       variant.method,
+                                       "--out",
+                                       made.string(),
+                                       "--force",
+                                       "--seed",
+                                       std::to_string(common_.seed),
+                                       "--reference-seed",
+                                       std::to_string(study_.measuring.reference_seed),
+                                       "--references",
+                                       (folders_.root / "references" / "store").string()};
+    for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
+    const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
+    arguments.insert(arguments.end(), measuring.begin(), measuring.end());
+    const std::vector<std::string> plan = plan_arguments(variant.plan);
+    arguments.insert(arguments.end(), plan.begin(), plan.end());
+    if (!study_.reference) arguments.insert(arguments.end(), {"--reference", "none"});
+    return arguments;
+  });
+}
+
+void StudyRunner::relight_one(const PlannedRelight& planned) {
+  const StudyRelight& relight = study_.relights[planned.relight];
+  run_for(planned.id, key_of(planned), [&](const fs::path& made) {
+    make_folder(made);
+    std::vector<std::string> arguments{"relight",
+                                       study_.scenes[relight.scene].file.string(),
+                                       "--method",
+                                       relight.method,
+                                       "--lights",
+                                       relight.lights.string(),
+                                       "--out",
+                                       (made / relight_file).string(),
+                                       "--seed",
+                                       std::to_string(common_.seed),
+                                       "--surface-samples",
+                                       std::to_string(relight.surface_samples),
+                                       "--compared-samples",
+                                       std::to_string(relight.compared_samples),
+                                       "--reference-samples",
+                                       std::to_string(relight.reference_samples)};
+    for (const std::string& setting : relight.settings) arguments.insert(arguments.end(), {"--set", setting});
+    if (relight.frames) arguments.insert(arguments.end(), {"--frames", std::to_string(*relight.frames)});
+    return arguments;
+  });
+}
+
+void StudyRunner::record(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
+  const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
+  const std::string status = status_of(child_result);
+  Json entry{{"key", key}, {"status", status}};
+  if (child_result.end == ChildEnd::exited) entry["exit_code"] = child_result.exit_code;
+  const std::string reason = reason_of(child_result, limits);
+  if (!reason.empty()) entry["message"] = reason;
+  entry["wall_seconds"] = child_result.seconds;
+  // A run that ended well tells its peak before it loads the library that writes its pictures.
+  const auto result = read_json_if_there(made / result_file);
+  const Json memory = result ? result->value("memory", Json::object()) : Json::object();
+  if (memory.contains("peak_bytes")) entry["peak_bytes"] = memory.at("peak_bytes");
+  else if (child_result.peak_bytes > 0) entry["peak_bytes"] = child_result.peak_bytes;
+  if (child_result.peak_bytes > 0) entry["process_peak_bytes"] = child_result.peak_bytes;
+  make_folder(made);  // there already after a run that came to its end
+  write_file_atomically(made / run_file, entry.dump(2) + "\n");
+  fs::path partial = made;
+  partial += ".partial";
+  std::error_code ignored;
+  fs::remove_all(partial, ignored);  // left by a child that was killed
+  replace_folder(made, folders_.run(id));
+  const std::size_t finished = ++finished_;
+  tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, id, status, child_result.seconds, reason.empty() ? "" : ": ",
+                   reason));
+  {
+    const std::lock_guard lock(terminal_);
+    bar_->update("", static_cast<double>(finished) / static_cast<double>(due_));
+  }
+  write_manifest();
+}
+
+bool StudyRunner::is_kept(const std::string& id, const std::string& key) const {
+  const std::optional<Json> entry = read_json_if_there(folders_.run(id) / run_file);
+  if (!entry || entry->value("key", "") != key) return false;
+  const std::string status = entry->value("status", "");
+  return status == "done" || status == "refused" || status == "timed_out";
+}
+
+void StudyRunner::tell(const std::string& line) {
+  const std::lock_guard lock(terminal_);
+  bar_->wipe();
+  if (!common_.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+}  // namespace gibench

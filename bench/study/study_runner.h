@@ -1,0 +1,102 @@
+/// Runs a study: every scene's check, every reference and every run in a process of its own.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench/app/progress_bar.h"
+#include "bench/app/verbs.h"
+#include "bench/study/child_process.h"
+#include "bench/study/shard.h"
+#include "bench/study/study_file.h"
+#include "bench/study/study_plan.h"
+
+namespace gibench {
+
+struct StudySettings {
+  std::filesystem::path out;
+  bool force = false;  ///< redo what is finished
+  int jobs = 1;        ///< processes at a time
+  Shard shard;         ///< runs whose place in the plan mod `of` is `index`
+};
+
+/// A record of a run beside its result: how its process ended.
+inline constexpr const char* run_file = "run.json";
+/// What `gibench relight --out` wrote, beside it.
+inline constexpr const char* relight_file = "relight.json";
+
+/// The JSON in a file; empty where there is no such file or it is damaged.
+std::optional<nlohmann::ordered_json> read_json_if_there(const std::filesystem::path& file);
+
+/// A folder runs/ID appears whole, with run.json in it, whether the run came to its end or not; the manifest is
+/// collected from them. A finished run, a refusal and a time-out with the same key are kept, a crash or a failure is
+/// tried again.
+class StudyRunner {
+ public:
+  StudyRunner(const Study& study, StudySettings settings, const CommonOptions& common);
+  ~StudyRunner();
+
+  /// Throws InputError for a scene that is wrong, WorkError where the user asked to stop. What runs do is recorded.
+  void run();
+  /// The manifest as it stands.
+  nlohmann::ordered_json manifest() const;
+
+ private:
+  struct SceneState {
+    nlohmann::ordered_json check;        ///< what `gibench check --json` says
+    std::optional<std::string> skipped;  ///< why its runs are left out
+    nlohmann::ordered_json reference;    ///< reference.json; null: none
+    std::string reference_message;       ///< why there is none
+  };
+
+  void check_scenes();
+  void make_references();
+  void make_reference(std::size_t scene);
+  void make_path_references(std::size_t scene);
+  std::set<std::string> restricted_paths(std::size_t scene) const;
+  std::vector<std::string> reference_arguments(std::size_t scene, const MeasuringOptions& measuring) const;
+  ChildLimits reference_limits() const;
+  void run_all();
+  void run_one(const PlannedRun& run);
+  void relight_one(const PlannedRelight& relight);
+  /// Runs the child for the folder runs/ID unless it holds what this key made.
+  void run_for(const std::string& id, const std::string& key,
+               const std::function<std::vector<std::string>(const std::filesystem::path& made)>& arguments);
+  void record(const std::string& id, const ChildResult& child, const std::string& key, const std::filesystem::path& made);
+  bool is_kept(const std::string& id, const std::string& key) const;
+  bool is_own(std::size_t place) const;  ///< of this shard
+  std::string key_of(const PlannedRun& run) const;
+  std::string key_of(const PlannedRelight& relight) const;
+  nlohmann::ordered_json scene_entry(std::size_t scene) const;
+  nlohmann::ordered_json run_entry(const PlannedRun& run) const;
+  nlohmann::ordered_json relight_entry(const PlannedRelight& relight) const;
+  void add_outcome(nlohmann::ordered_json& entry, const std::string& id, const std::string& key, std::size_t scene) const;
+  ChildResult child(std::vector<std::string> arguments, const ChildLimits& limits, const std::string& name) const;
+  void write_manifest() const;
+  void tell(const std::string& line);
+
+  const Study& study_;
+  StudySettings settings_;
+  CommonOptions common_;
+  StudyFolders folders_;
+  std::vector<PlannedRun> runs_;
+  std::vector<PlannedRelight> relights_;  ///< after the runs in the order of the shards
+  std::vector<SceneState> scenes_;
+  std::unique_ptr<ProgressBar> bar_;
+  std::string created_;
+  std::mutex terminal_;
+  mutable std::mutex manifest_;
+  std::atomic<std::size_t> finished_{0};  ///< runs of this process
+  std::size_t due_ = 0;
+};
+
+}  // namespace gibench

@@ -1,0 +1,19 @@
+/// Reads a study folder into records.
+#pragma once
+
+#include <filesystem>
+
+#include "reports/collect/study.h"
+
+namespace gibench::report {
+
+/// Throws InputError for a folder without a readable study manifest. A damaged run record makes its run a failed
+/// one that says why, with a line in the study's warnings.
+Study collect_study(const std::filesystem::path& folder);
+
+/// Adds to `run` what its result.json says. Throws InputError, the run unchanged, for a record that cannot be read.
+void read_result(const std::filesystem::path& file, StudyRun& run);
+/// Adds to `relight` what its relight.json says. Throws InputError for a record that cannot be read.
+void read_relight(const std::filesystem::path& file, StudyRelight& relight);
+
+}  // namespace gibench::report

@@ -1,0 +1,139 @@
+#include "reports/tables/study_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "reports/tables/format.h"
+#include "reports/tables/table_columns.h"
+
+namespace gibench::report {
+namespace {
+
+std::string speed_up_text(const SpeedUp& speed) {
+  return fmt::format("{}{}{}", speed.at_least ? "≥ " : "", factor(speed.factor), speed.extrapolated ? " *" : "");
+}
+
+std::string shade_stage(const StudyRun& run, const std::string& domain) {
+  return run.seconds.contains("shade_" + domain) ? "shade_" + domain : "shade";
+}
+
+/// A run on the scene that a table is of.
+struct SceneRow {
+  const StudyRun& run;
+  std::optional<SpeedUp> speed_up;
+};
+
+struct ErrorRow {
+  const StudyRun& run;
+  const ErrorKey& key;
+  const MeasuredError& error;
+};
+
+/// The speed-up on one scene, or how the run ended where it gave no answer.
+Cell ranked_cell(const Study& study, const RankedRun& ranked) {
+  if (ranked.speed_up) return {speed_up_text(*ranked.speed_up), exact(ranked.speed_up->factor)};
+  const bool ended = ranked.run && study.runs[*ranked.run].status != RunStatus::done;
+  return {ended ? status_text(study.runs[*ranked.run].status) : std::string(dash), ""};
+}
+
+}  // namespace
+
+std::string scene_slug(const Study& study, std::size_t scene) {
+  std::string slug;
+  for (const char c : study.scenes[scene].name) {
+    const bool keep = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (keep) slug += c;
+    else if (!slug.empty() && slug.back() != '-') slug += '-';
+  }
+  while (slug.ends_with('-')) slug.pop_back();
+  return fmt::format("scene-{}{}{}", scene + 1, slug.empty() ? "" : "-", slug.substr(0, 60));
+}
+
+Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
+  const std::string& name = study.scenes[scene].name;
+  const Metric metric = metric_info(key.metric);
+  const auto stage = [](const std::string& of) { return [of](const SceneRow& row) { return at(row.run.seconds, of); }; };
+  const auto counter = [](const std::string& of) { return [of](const SceneRow& row) { return at(row.run.counters, of); }; };
+  Columns<SceneRow> columns;
+  columns.text("Run", "run", [](const SceneRow& row) { return row.run.label; })
+      .text("Method", "method", [](const SceneRow& row) { return row.run.method; })
+      .text("Status", "status", [](const SceneRow& row) { return status_text(row.run.status); })
+      .cells({metric.title + " [95% interval]", key.metric},
+             [&](const SceneRow& row) { return error_cell(metric, row.run.error(key)); })
+      .cells({"Noise floor", "noise_floor"}, [&](const SceneRow& row) { return floor_cell(metric, row.run.error(key)); })
+      .cells({"Speed-up", "speed_up"},
+             [](const SceneRow& row) {
+               return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
+             })
+      .seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
+      .seconds("Prepare", "prepare_seconds", stage("prepare"))
+      .seconds("Light", "light_seconds", stage("light"))
+      .seconds("Shade", "shade_seconds",
+               [&](const SceneRow& row) { return at(row.run.seconds, shade_stage(row.run, key.domain)); })
+      .bytes("Method memory", "method_bytes", [](const SceneRow& row) { return row.run.method_bytes; })
+      .bytes("Peak memory", "peak_bytes", [](const SceneRow& row) { return row.run.peak_bytes; })
+      .count("Closest-hit rays", "closest_hit_rays", counter("closest_hit_rays"))
+      .count("Occlusion rays", "occlusion_rays", counter("occlusion_rays"));
+  const BaselineCurve curve = baseline_curve(study, name, key);
+  std::vector<SceneRow> rows;
+  for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_up(curve, study.runs[run], key)});
+  return columns.table(scene_slug(study, scene),
+                       name + ": " + metric.title + " of " + describe(key) +
+                           " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors), "
+                           "seconds, memory and rays.",
+                       rows);
+}
+
+Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<RankingRow>& rows) {
+  const auto left_out = [](const StudyScene& scene) { return scene.skipped.has_value(); };
+  const auto answered = std::count_if(study.scenes.begin(), study.scenes.end(), std::not_fn(left_out));
+  const std::string of = fmt::format(" of {}", answered);
+  Columns<RankingRow> columns;
+  columns.text("Run", "run", [](const RankingRow& row) { return row.label; })
+      .text("Method", "method", [](const RankingRow& row) { return row.method; })
+      .cells({"Geometric mean", "geometric_mean_speed_up"},
+             [](const RankingRow& row) {
+               const auto text = [&](double mean) { return std::string(row.at_least ? "≥ " : "").append(factor(mean)); };
+               return cell(row.geometric_mean, text, exact);
+             })
+      .whole("Scenes" + of, "scenes_compared", [](const RankingRow& row) { return row.compared; })
+      .cells({"Mean error rank", "mean_error_rank"},
+             [](const RankingRow& row) {
+               return cell(
+                   row.mean_error_rank, [](double mean) { return fmt::format("{:.1f}", mean); }, exact);
+             })
+      .whole("On the front" + of, "scenes_on_front", [](const RankingRow& row) { return row.on_front; })
+      .whole("Without answer" + of, "scenes_without_answer", [](const RankingRow& row) { return row.not_done; });
+  for (std::size_t s = 0; s < study.scenes.size(); ++s)
+    if (const StudyScene& scene = study.scenes[s]; !scene.skipped)
+      columns.cells({scene.name, scene.name}, [&study, s](const RankingRow& row) { return ranked_cell(study, row.scenes[s]); });
+  return columns.table("ranking",
+                       "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
+                           ": the path tracer's time for a run's error over the run's time; geometric mean over the scenes.",
+                       rows);
+}
+
+Table error_table(const Study& study) {
+  Columns<ErrorRow> columns;
+  columns.text("Scene", "scene", [](const ErrorRow& row) { return row.run.scene; })
+      .text("Run", "run", [](const ErrorRow& row) { return row.run.label; })
+      .text("Method", "method", [](const ErrorRow& row) { return row.run.method; })
+      .text("Domain", "domain", [](const ErrorRow& row) { return row.key.domain; })
+      .text("Component", "component", [](const ErrorRow& row) { return row.key.component; })
+      .text("Metric", "metric", [](const ErrorRow& row) { return row.key.metric; })
+      .rounded("Value", "value", [](const ErrorRow& row) { return row.error.value; })
+      .rounded("Low", "ci95_low", [](const ErrorRow& row) { return row.error.low; })
+      .rounded("High", "ci95_high", [](const ErrorRow& row) { return row.error.high; })
+      .rounded("Noise floor", "noise_floor", [](const ErrorRow& row) { return row.error.noise_floor; })
+      .text("Below the floor", "below_noise_floor",
+            [](const ErrorRow& row) { return row.error.below_noise_floor ? "yes" : "no"; })
+      .seconds("Time", "seconds", [](const ErrorRow& row) { return row.run.transport_seconds(row.key.domain); });
+  std::vector<ErrorRow> rows;
+  for (const StudyRun& run : study.runs)
+    for (const auto& [key, error] : run.errors) rows.push_back({run, key, error});
+  return columns.table("errors", "Every error of every run with its 95% interval and the reference's noise floor.", rows);
+}
+
+}  // namespace gibench::report

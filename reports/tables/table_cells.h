@@ -1,0 +1,52 @@
+/// Table cells of the usual kinds; what is absent gives the dash, and nothing in CSV.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "reports/tables/format.h"
+#include "reports/tables/table.h"
+
+namespace gibench::report {
+
+template <class T, class Format, class Raw>
+Cell cell(const std::optional<T>& value, Format format, Raw raw) {
+  return value ? Cell{format(*value), raw(*value)} : Cell{std::string(dash), ""};
+}
+
+inline Cell text_cell(const std::string& text) { return {text.empty() ? std::string(dash) : text, text}; }
+inline Cell seconds_cell(std::optional<double> seconds) { return cell(seconds, duration, exact); }
+inline Cell bytes_cell(std::optional<std::uint64_t> bytes) {
+  return cell(bytes, byte_size, [](std::uint64_t value) { return std::to_string(value); });
+}
+inline Cell count_cell(std::optional<std::uint64_t> count) {
+  return cell(count, large_count, [](std::uint64_t value) { return std::to_string(value); });
+}
+inline Cell number_cell(std::optional<double> number) {
+  return cell(
+      number, [](double value) { return significant(value); }, exact);
+}
+
+template <class Integer>
+Cell whole_cell(const std::optional<Integer>& number) {
+  return text_cell(number ? std::to_string(*number) : "");
+}
+/// The error with its interval.
+inline Cell error_cell(const Metric& metric, const MeasuredError* error) {
+  return error ? Cell{error_text(metric, *error), exact(error->value)} : text_cell("");
+}
+inline Cell floor_cell(const Metric& metric, const MeasuredError* error) {
+  return cell(
+      error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact);
+}
+
+/// The value of a name, empty where it is absent.
+template <class T>
+std::optional<T> at(const std::map<std::string, T>& values, const std::string& name) {
+  const auto found = values.find(name);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace gibench::report

@@ -1,0 +1,269 @@
+#include "reports/writing/page_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "reports/collect/json_reading.h"
+#include "reports/tables/format.h"
+#include "reports/tables/method_style.h"
+#include "reports/tables/study_tables.h"
+
+namespace gibench::report {
+namespace {
+
+/// A JavaScript statement; "</" is split so that the text is safe inside a script element too.
+std::string assignment(const std::string& name, const Json& value) {
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '/' && !safe.empty() && safe.back() == '<') safe += '\\';
+    safe += c;
+  }
+  return fmt::format("gibench.{} = {};\n", name, safe);
+}
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json facts_json(const Facts& facts) {
+  Json list = Json::array();
+  for (const auto& [name, value] : facts) list.push_back({name, value});
+  return list;
+}
+
+Json texts_of(const std::vector<Cell>& cells) {
+  Json texts = Json::array();
+  for (const Cell& cell : cells) texts.push_back(cell.text);
+  return texts;
+}
+
+Json table_json(const Table& table) {
+  Json columns = Json::array(), rows = Json::array();
+  for (const Column& column : table.columns) columns.push_back({{"title", column.title}, {"number", column.is_number}});
+  for (const auto& row : table.rows) rows.push_back(texts_of(row));
+  return {{"name", table.name}, {"caption", table.caption}, {"columns", columns}, {"rows", rows}};
+}
+
+Json metric_json(const Metric& metric) {
+  return {{"name", metric.name},
+          {"title", metric.title},
+          {"meaning", metric.meaning},
+          {"logarithmic", is_logarithmic(metric)},
+          {"percent", is_percentage(metric)},
+          {"higher_is_better", higher_is_better(metric)}};
+}
+
+/// What is drawn for one error: the error below the noise floor is drawn at the floor.
+Json drawn_error(const Metric& metric, const MeasuredError& error) {
+  const bool below = error.below_noise_floor && error.noise_floor.has_value();
+  Json entry = {{"y", plotted_value(metric, below ? *error.noise_floor : error.value)},
+                {"below", below},
+                {"text", error_text(metric, error)}};
+  if (error.noise_floor) entry["floor"] = plotted_value(metric, *error.noise_floor);
+  if (!below && error.low && error.high) {
+    const double a = plotted_value(metric, *error.low), b = plotted_value(metric, *error.high);
+    entry["low"] = std::min(a, b);
+    entry["high"] = std::max(a, b);
+  }
+  return entry;
+}
+
+Json error_json(const StudyRun& run, const ErrorKey& key) {
+  const MeasuredError* error = run.error(key);
+  return error ? drawn_error(metric_info(key.metric), *error) : Json();
+}
+
+Json effects_json(const Effects& effects) {
+  Json skipped = Json::array();
+  for (const auto& [effect, why] : effects.skipped) skipped.push_back({effect, why});
+  return {
+      {"called_for", effects.called_for}, {"simulated", effects.simulated}, {"missing", effects.missing}, {"skipped", skipped}};
+}
+
+Json run_json(const StudyRun& run, const std::vector<ErrorKey>& keys) {
+  Json errors = Json::array(), seconds = Json::object(), counters = Json::array();
+  for (const ErrorKey& key : keys) errors.push_back(error_json(run, key));
+  for (const auto& [stage, value] : run.seconds) seconds[stage] = value;
+  for (const auto& [name, count] : run.counters) counters.push_back({name, large_count(count)});
+  Json time = Json::object();
+  for (const std::string domain : {"surface", "image"})
+    if (const auto value = run.transport_seconds(domain)) time[domain] = *value;
+  return {{"id", run.id},
+          {"label", run.label},
+          {"scene", run.scene},
+          {"method", run.method},
+          {"parameters", facts_json(run.parameters)},
+          {"status", to_string(run.status)},
+          {"status_text", status_text(run.status)},
+          {"message", run.message},
+          {"exit_code", or_null(run.exit_code)},
+          {"wall", run.wall_seconds ? Json(duration(*run.wall_seconds)) : Json()},
+          {"seed", or_null(run.seed)},
+          {"threads", or_null(run.threads)},
+          {"seconds", seconds},
+          {"time", time},
+          {"counters", counters},
+          {"warnings", run.warnings},
+          {"termination", run.termination},
+          {"effects", run.effects ? effects_json(*run.effects) : Json()},
+          {"details", facts_json(run.details)},
+          {"errors", errors}};
+}
+
+Json picture_json(const PagePicture& picture) {
+  Json layers = Json::object();
+  for (const auto& [name, layer] : picture.layers) layers[name] = {{"file", layer.file}, {"scale", layer.scale}};
+  return {{"run", or_null(picture.run)}, {"width", picture.width}, {"height", picture.height}, {"layers", layers}};
+}
+
+/// [method, effects it lacks] for each method whose pictures of the scene are not complete.
+Json missing_effects(const Study& study, const std::string& scene) {
+  std::map<std::string, std::set<std::string>> missing;
+  for (const std::size_t run : study.runs_of(scene))
+    if (const auto& effects = study.runs[run].effects)
+      missing[study.runs[run].method].insert(effects->missing.begin(), effects->missing.end());
+  Json list = Json::array();
+  for (const auto& [method, effects] : missing)
+    if (!effects.empty()) list.push_back({method, effects});
+  return list;
+}
+
+/// The scene's table for every error key: the rows share what the key does not change.
+Json scene_json(const Study& study, std::size_t index, const std::vector<PagePicture>& pictures,
+                const std::vector<ErrorKey>& keys) {
+  const StudyScene& scene = study.scenes[index];
+  Json tables = Json::array(), shown = Json::array();
+  for (const ErrorKey& key : keys) tables.push_back(table_json(scene_table(study, index, key)));
+  if (keys.empty()) tables.push_back(table_json(scene_table(study, index, usual_key())));
+  for (const PagePicture& picture : pictures) shown.push_back(picture_json(picture));
+  return {{"name", scene.name},
+          {"slug", scene_slug(study, index)},
+          {"skipped", scene.skipped ? Json(*scene.skipped) : Json()},
+          {"exposure", scene.exposure},
+          {"facts", facts_json(scene.facts)},
+          {"reference", facts_json(scene.reference)},
+          {"missing", missing_effects(study, scene.name)},
+          {"runs", study.runs_of(scene.name)},
+          {"pictures", shown},
+          {"tables", tables}};
+}
+
+Json ranking_json(const Study& study, const ErrorKey& key) {
+  const std::vector<RankingRow> rows = rank(study, key);
+  Json points = Json::array();
+  for (const RankingRow& row : rows) {
+    if (row.geometric_mean)
+      points.push_back(
+          {{"run", row.label}, {"method", row.method}, {"scene", ""}, {"factor", *row.geometric_mean}, {"kind", "mean"}});
+    for (std::size_t s = 0; s < row.scenes.size(); ++s)
+      if (const auto& speed = row.scenes[s].speed_up)
+        points.push_back({{"run", row.label},
+                          {"method", row.method},
+                          {"scene", study.scenes[s].name},
+                          {"factor", speed->factor},
+                          {"kind", speed->at_least       ? "at least"
+                                   : speed->extrapolated ? "extrapolated"
+                                                         : "measured"}});
+  }
+  return {{"table", table_json(ranking_table(study, key, rows))}, {"points", points}};
+}
+
+/// The points of the plot of both parts: one of each part that a run measured.
+Json split_json(const Study& study, const ErrorKey& key) {
+  const Metric metric = metric_info(key.metric);
+  Json points = Json::array();
+  for (const StudyRun& run : study.runs) {
+    if (run.status != RunStatus::done || !run.complete) continue;
+    const auto add = [&](const char* part, const MeasuredError* error) {
+      if (!error) return;
+      Json point = drawn_error(metric, *error);
+      point["run"] = run.label, point["scene"] = run.scene, point["method"] = run.method, point["part"] = part;
+      points.push_back(std::move(point));
+    };
+    add("model", run.model_error(key));
+    add("discretisation", run.discretisation_error(key));
+  }
+  return {{"table", table_json(split_table(study, key))}, {"bounces", table_json(bounce_table(study, key))}, {"points", points}};
+}
+
+Json bounded_json(const std::optional<BoundedNumber>& number) {
+  if (!number) return {};
+  return {{"value", or_null(number->value)}, {"low", or_null(number->low)}, {"high", or_null(number->high)}};
+}
+
+Json relights_json(const Study& study) {
+  Json list = Json::array();
+  for (const StudyRelight& relight : study.relights)
+    if (relight.frame_seconds() && relight.prepare_seconds)
+      list.push_back({{"label", relight.label},
+                      {"scene", relight.scene},
+                      {"method", relight.method},
+                      {"lights", relight.lights},
+                      {"prepare", *relight.prepare_seconds},
+                      {"frame", *relight.frame_seconds()},
+                      {"path_tracing", bounded_json(relight.path_tracing_seconds)},
+                      {"frames_that_pay", bounded_json(relight.frames_that_pay)},
+                      {"sentence", relight_sentence(relight)}});
+  return {{"list", list}, {"table", table_json(relight_table(study))}, {"frames", table_json(relit_frame_table(study))}};
+}
+
+}  // namespace
+
+std::string page_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
+                      const std::vector<std::string>& warnings) {
+  const std::vector<ErrorKey> keys = measured_keys(study);
+  Json methods = Json::array(), metrics = Json::object(), key_list = Json::array(), scenes = Json::array(), runs = Json::array(),
+       rankings = Json::array(), splits = Json::array();
+  for (const MethodStyle& style : method_styles(study))
+    methods.push_back({{"name", style.method}, {"colour", style.colour}, {"shape", style.shape}, {"dash", style.dash}});
+  for (const ErrorKey& key : keys) {
+    metrics[key.metric] = metric_json(metric_info(key.metric));
+    key_list.push_back({{"domain", key.domain},
+                        {"component", key.component},
+                        {"metric", key.metric},
+                        {"of", describe(key)},
+                        {"axis", axis_title(key)}});
+    rankings.push_back(ranking_json(study, key));
+    splits.push_back(split_json(study, key));
+  }
+  for (std::size_t s = 0; s < study.scenes.size(); ++s) scenes.push_back(scene_json(study, s, pictures.at(s), keys));
+  for (const StudyRun& run : study.runs) runs.push_back(run_json(run, keys));
+  return assignment("study", {{"name", study.name},
+                              {"version", study.version},
+                              {"commit", study.commit},
+                              {"created", study.created},
+                              {"machine", facts_json(study.machine)},
+                              {"settings", facts_json(study.settings)},
+                              {"warnings", warnings},
+                              {"methods", methods},
+                              {"metrics", metrics},
+                              {"keys", key_list},
+                              {"scenes", scenes},
+                              {"runs", runs},
+                              {"rankings", rankings},
+                              {"splits", splits},
+                              {"relights", relights_json(study)},
+                              {"calls", table_json(call_table(study))},
+                              {"evidence", table_json(evidence_table(study))},
+                              {"effect_matrix", table_json(effect_matrix(study))},
+                              {"effects", table_json(effect_table(study))},
+                              {"failures", table_json(failure_table(study))}});
+}
+
+std::string plot_templates(const std::filesystem::path& folder) {
+  Json templates = Json::object();
+  const std::string ending = ".vl.json";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(ending)) templates[name.substr(0, name.size() - ending.size())] = read_json(entry.path());
+  }
+  return assignment("plots", templates);
+}
+
+}  // namespace gibench::report

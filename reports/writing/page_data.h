@@ -1,0 +1,20 @@
+/// The data file of the page: everything that it shows but the pictures' pixels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/collect/study.h"
+#include "reports/writing/page_images.h"
+
+namespace gibench::report {
+
+/// JavaScript that hands the study to the page: `gibench.study = {…};`. `pictures` has an entry a scene.
+/// `warnings` are what could not be read, a line each.
+std::string page_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
+                      const std::vector<std::string>& warnings);
+
+/// JavaScript that hands the plot templates (name.vl.json files of a folder) to the page: `gibench.plots = {…};`.
+std::string plot_templates(const std::filesystem::path& folder);
+
+}  // namespace gibench::report
