@@ -5,13 +5,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/metric_names.h"
 #include "bench/app/print_json.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/scene_search.h"
 #include "bench/record/run_record.h"
 #include "common/core/error.h"
 #include "common/effects/effect_plan.h"
+#include "common/metrics/metric_table.h"
 #include "methods/registry.h"
 
 namespace gibench {
@@ -61,7 +61,7 @@ std::vector<Json> entries(const std::string& what) {
   else if (what == "effects")
     for (const Effect effect : all_effects()) list.push_back({{"name", to_string(effect)}, {"meaning", meaning_of(effect)}});
   else
-    for (const MetricName& metric : metric_names()) list.push_back({{"name", metric.name}, {"meaning", metric.meaning}});
+    for (const Metric& metric : all_metrics()) list.push_back({{"name", metric.name}, {"meaning", metric.meaning}});
   return list;
 }
 

@@ -14,6 +14,7 @@
 #include "bench/measure/run_method.h"
 #include "bench/record/output_folder.h"
 #include "common/core/error.h"
+#include "common/metrics/metric_table.h"
 
 namespace gibench {
 
@@ -79,7 +80,7 @@ void tell_what_is_missing(RunRecord& record) {
   const ErrorTable& table = record.split->model.at("total").at("surface");
   const auto seen = record.split->model.at("total").find("image");
   const auto size_of = [](const ErrorTable& errors) {
-    const auto error = errors.find("relative_rmse");
+    const auto error = errors.find(headline_metric);
     return error == errors.end() ? std::string("an unknown share") : fmt::format("{:.2g}%", 100.0 * error->second.value);
   };
   std::string text = fmt::format("what is missing ({}) makes {} of the light at the surface samples (relative rmse)",
@@ -108,7 +109,7 @@ Exposure shown_exposure(const Scene& scene, const RunOutcome& outcome, const std
 void print_errors(const std::string& what, const std::map<std::string, DomainErrors>& errors) {
   for (const auto& [component, domains] : errors)
     for (const auto& [domain, table] : domains)
-      if (const auto error = table.find("relative_rmse"); error != table.end() && std::isfinite(error->second.value))
+      if (const auto error = table.find(headline_metric); error != table.end() && std::isfinite(error->second.value))
         fmt::print("  {:<8} light, {:<7}  {} {:.3f}% [{:.3f}, {:.3f}]{}\n", component, domain, what, 100.0 * error->second.value,
                    100.0 * error->second.low, 100.0 * error->second.high,
                    error->second.below_noise_floor ? ", below the noise floor" : "");

@@ -3,8 +3,8 @@
 #include "common/core/error.h"
 #include "common/image/tone_mapping.h"
 #include "common/metrics/automatic_exposure.h"
-#include "common/metrics/display_metrics.h"
 #include "common/metrics/errors.h"
+#include "common/metrics/metric_table.h"
 
 namespace gibench {
 
@@ -56,9 +56,12 @@ ImageComparison compare_images(const ImageFile& reference, const std::string& re
   const float exposure = reference.high_dynamic_range ? automatic_exposure(reference.image.pixels).value : 0.0F;
   const std::vector<Rgb> shown = display_values(test.image.pixels, exposure);
   const std::vector<Rgb> shown_reference = display_values(reference.image.pixels, exposure);
-  comparison.values["psnr"] = psnr(shown, shown_reference);
-  if (const auto similarity = ssim(reference.image.width, reference.image.height, shown, shown_reference))
-    comparison.values["ssim"] = *similarity;
+  for (const Metric& metric : all_metrics()) {
+    const auto* of_pictures = std::get_if<PictureMetric>(&metric.function);
+    if (!of_pictures || !of_pictures->of_displayed) continue;
+    if (const auto value = of_pictures->of_displayed(reference.image.width, reference.image.height, shown, shown_reference))
+      comparison.values[metric.name] = *value;
+  }
   comparison.flip_name = reference.high_dynamic_range ? "hdr_flip" : "flip";
   comparison.flip = flip_of(reference, test, options);
   return comparison;

@@ -17,7 +17,7 @@ struct ComparisonOptions {
 };
 
 struct ImageComparison {
-  std::map<std::string, double> values;  ///< metric → value, linear ones of value_metrics.h, then psnr and ssim
+  std::map<std::string, double> values;  ///< metric → value, those of metric_table.h but for FLIP
   std::string flip_name;                 ///< "flip" for pictures of limited range, "hdr_flip" for EXR and HDR
   FlipStatistics flip;
 };

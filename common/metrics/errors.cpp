@@ -5,6 +5,7 @@
 
 #include "common/core/error.h"
 #include "common/metrics/intervals.h"
+#include "common/metrics/metric_table.h"
 #include "common/metrics/picture_errors.h"
 #include "common/metrics/value_metrics.h"
 
@@ -61,39 +62,44 @@ ErrorValue largest(const HalvedReference& reference, const MetricEstimate& estim
   return with_floor({estimate.value, std::max(0.0, interval.low - floor), interval.high, {}, false}, floor);
 }
 
-using Metric = MetricEstimate (*)(std::span<const Rgb>, const ReferenceMeans&);
+ErrorValue signed_error(const HalvedReference& reference, const MetricEstimate& estimate) {
+  const std::vector<double> influences = reference.influences(estimate);
+  const Interval interval = student_interval(estimate.value, influences);
+  return with_floor({estimate.value, interval.low, interval.high, {}, false}, standard_error(influences));
+}
 
 /// What a metric gives for values whose only error is the reference's own noise.
-double floor_of(Metric metric, const HalvedReference& reference) {
-  return metric(reference.noisy, ReferenceMeans::exact(reference.mean)).value;
+double floor_of(const ValueMetric& metric, const HalvedReference& reference) {
+  return metric.estimate(reference.noisy, ReferenceMeans::exact(reference.mean)).value().value;
+}
+
+ErrorValue error_of(const ValueMetric& metric, const MetricEstimate& estimate, const HalvedReference& reference) {
+  switch (metric.taken) {
+    case Taken::as_square: return squared_error(reference, estimate, floor_of(metric, reference));
+    case Taken::as_root_of_square: return root(squared_error(reference, estimate, floor_of(metric, reference)));
+    case Taken::with_sign: return signed_error(reference, estimate);
+    case Taken::against_mean: return absolute_error(reference, estimate, floor_of(metric, reference));
+    case Taken::as_largest: return largest(reference, estimate, floor_of(metric, reference));
+  }
+  return {};
+}
+
+/// Calls `use` with every metric of linear values that is defined here, and its estimate.
+template <class Use>
+void for_each_estimate(std::span<const Rgb> values, const ReferenceMeans& means, const Use& use) {
+  for (const Metric& metric : all_metrics())
+    if (const auto* of_values = std::get_if<ValueMetric>(&metric.function))
+      if (const auto estimate = of_values->estimate(values, means)) use(metric.name, *of_values, *estimate);
 }
 
 ErrorTable errors_of_values(std::span<const Rgb> values, const HalvedReference& reference) {
   check_finite(values, "values to take errors of are finite");
   GIBENCH_CHECK(values.size() == reference.mean.size(), "one reference value for each value");
-  const ReferenceMeans means = reference.means();
-  const auto squared = [&](Metric metric) {
-    return squared_error(reference, metric(values, means), floor_of(metric, reference));
-  };
-  const auto absolute = [&](Metric metric) {
-    return absolute_error(reference, metric(values, means), floor_of(metric, reference));
-  };
   ErrorTable table;
-  table["rmse"] = root(squared(mean_squared_error));
-  if (const auto relative = relative_mean_squared_error(values, means)) {
-    const double floor = relative_mean_squared_error(reference.noisy, ReferenceMeans::exact(reference.mean))->value;
-    table["relative_rmse"] = root(squared_error(reference, *relative, floor));
-  }
-  if (const auto bias = relative_bias(values, means)) {
-    const std::vector<double> influences = reference.influences(*bias);
-    const Interval interval = student_interval(bias->value, influences);
-    table["bias"] = with_floor({bias->value, interval.low, interval.high, {}, false}, standard_error(influences));
-  }
-  table["rel_mse(0.01)"] = squared(relative_squared_error);
-  table["rel_mse_trim(0.1%)"] = squared(trimmed_relative_squared_error);
-  table["mape(0.01)"] = absolute(mean_absolute_percentage_error);
-  table["smape(0.02)"] = absolute(symmetric_mean_absolute_percentage_error);
-  table["max"] = largest(reference, largest_error(values, means), floor_of(largest_error, reference));
+  for_each_estimate(values, reference.means(),
+                    [&](const std::string& name, const ValueMetric& metric, const MetricEstimate& estimate) {
+                      table[name] = error_of(metric, estimate, reference);
+                    });
   return table;
 }
 
@@ -111,16 +117,11 @@ ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, cons
 }
 
 std::map<std::string, double> exact_value_errors(std::span<const Rgb> values, std::span<const Rgb> reference) {
-  const ReferenceMeans exact = ReferenceMeans::exact(reference);
   std::map<std::string, double> table;
-  table["rmse"] = std::sqrt(mean_squared_error(values, exact).value);
-  if (const auto relative = relative_mean_squared_error(values, exact)) table["relative_rmse"] = std::sqrt(relative->value);
-  if (const auto bias = relative_bias(values, exact)) table["bias"] = bias->value;
-  table["rel_mse(0.01)"] = relative_squared_error(values, exact).value;
-  table["rel_mse_trim(0.1%)"] = trimmed_relative_squared_error(values, exact).value;
-  table["mape(0.01)"] = mean_absolute_percentage_error(values, exact).value;
-  table["smape(0.02)"] = symmetric_mean_absolute_percentage_error(values, exact).value;
-  table["max"] = largest_error(values, exact).value;
+  for_each_estimate(values, ReferenceMeans::exact(reference),
+                    [&](const std::string& name, const ValueMetric& metric, const MetricEstimate& estimate) {
+                      table[name] = metric.taken == Taken::as_root_of_square ? std::sqrt(estimate.value) : estimate.value;
+                    });
   return table;
 }
 

@@ -14,14 +14,13 @@
 
 namespace gibench {
 
-/// rmse, relative_rmse (rmse over the mean of r), bias, rel_mse(0.01), rel_mse_trim(0.1%), mape(0.01), smape(0.02), max:
-/// see value_metrics.h. Channels are averaged. Needs two replicates at least; values and replicates are finite. What the
-/// squared errors are over two halves is unbiased, also where the error is smaller than the reference's noise (a
-/// negative estimate is given as 0); the others are against the mean of all replicates, whose noise they contain: the
-/// low end of their interval allows for it. relative_rmse and bias are absent where the mean of r is not positive.
+/// The metrics of linear values (metric_table.h). Channels are averaged. Needs two replicates at least; values and
+/// replicates are finite. What the squared errors are over two halves is unbiased, also where the error is smaller than the
+/// reference's noise (a negative estimate is given as 0); the others are against the mean of all replicates, whose noise they
+/// contain: the low end of their interval allows for it. relative_rmse and bias are absent where the mean of r is not positive.
 ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference);
 
-/// value_errors of the pixels, and psnr, ssim, flip at the exposure's value and hdr_flip over its range (picture_errors.h).
+/// value_errors of the pixels, and the metrics of pictures (picture_errors.h) at the exposure and over its range.
 ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference, const Exposure& exposure);
 
 /// The metrics of value_errors against a reference that is taken as exact.

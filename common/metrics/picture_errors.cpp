@@ -8,18 +8,13 @@
 #include "common/image/tone_mapping.h"
 #include "common/metrics/display_metrics.h"
 #include "common/metrics/hdr_flip.h"
+#include "common/metrics/metric_table.h"
 #include "common/metrics/value_metrics.h"
 
 namespace gibench {
 
 namespace {
 
-/// A picture and what it is held against: the mean of the reference, and the means without each group of replicates, from
-/// which the interval comes. `noisy` is held against the mean for the noise floor.
-struct Pictures {
-  std::vector<Rgb> test, mean, noisy;
-  std::vector<std::vector<Rgb>> without;
-};
 constexpr std::size_t most_groups = 8;
 
 Pictures pictures_of(std::span<const Rgb> pixels, const Replicas& reference) {
@@ -57,27 +52,12 @@ Measured measured(const Pictures& shown, const Metric& metric) {
   return measured(metric(shown.test, shown.mean), metric(shown.noisy, shown.mean), without);
 }
 
-ErrorValue psnr_error(const Pictures& shown) {
-  const Measured m = measured(shown, [](const auto& picture, const auto& reference) { return psnr(picture, reference); });
-  // The noise adds its mean square to the error's: the upper end is what is left without it.
-  const double squares = std::pow(10.0, -0.1 * m.interval.high) - std::pow(10.0, -0.1 * m.noise);
-  const double high = squares > 0.0 ? std::min(most_decibels, -10.0 * std::log10(squares)) : most_decibels;
-  return {m.value, m.interval.low, std::max(high, m.value), m.noise, m.value > m.noise};
-}
-
 /// The similarity of a picture without error to the mean of the reference, from that of the noisy twin, 1 − t. With a local
 /// variance of s in the picture and q in the mean's noise, the twin has t = q / (2s + 3q), having the noise twice, and the
 /// picture without error q / (2s + q) = t / (1 − 2t).
 double similarity_without_error(double similarity_of_twin) {
   const double t = 1.0 - similarity_of_twin;
   return t < 1.0 / 3.0 ? 1.0 - t / (1.0 - 2.0 * t) : 0.0;
-}
-
-ErrorValue ssim_error(int width, int height, const Pictures& shown) {
-  const Measured m = measured(
-      shown, [&](const auto& picture, const auto& reference) { return ssim(width, height, picture, reference).value(); });
-  const double ceiling = similarity_without_error(m.noise);
-  return {m.value, std::max(-1.0, m.interval.low), std::min(1.0, m.interval.high + 1.0 - ceiling), ceiling, m.value > ceiling};
 }
 
 /// The largest error of each pixel over the exposures seen so far.
@@ -97,12 +77,13 @@ class LargestErrors {
 using Display = std::vector<Rgb> (*)(std::span<const Rgb>, float);
 
 /// FLIP, largest over the exposures; the part of each picture is made once and used in every comparison.
-ErrorValue flip_error(int width, int height, const Pictures& pictures, std::span<const float> exposures, Display display) {
+ErrorValue flip_error_over(const PictureComparison& comparison, std::span<const float> exposures, Display display) {
+  const Pictures& pictures = comparison.linear;
   LargestErrors value, noise;
   std::vector<LargestErrors> without(pictures.without.size());
   for (const float exposure : exposures) {
     const auto features_of = [&](std::span<const Rgb> picture) {
-      return flip_features(width, height, display(picture, exposure), default_pixels_per_degree);
+      return flip_features(comparison.width, comparison.height, display(picture, exposure), default_pixels_per_degree);
     };
     const FlipFeatures test = features_of(pictures.test), mean = features_of(pictures.mean);
     value.add(flip_differences(mean, test));
@@ -122,20 +103,46 @@ ErrorValue error_against_mean(double value, const Interval& interval, double flo
   return {value, std::sqrt(std::max(0.0, low * low - floor * floor)), interval.high, floor, value < floor};
 }
 
+std::optional<ErrorValue> psnr_error(const PictureComparison& comparison) {
+  const Measured m =
+      measured(comparison.shown, [](const auto& picture, const auto& reference) { return psnr(picture, reference); });
+  // The noise adds its mean square to the error's: the upper end is what is left without it.
+  const double squares = std::pow(10.0, -0.1 * m.interval.high) - std::pow(10.0, -0.1 * m.noise);
+  const double high = squares > 0.0 ? std::min(most_decibels, -10.0 * std::log10(squares)) : most_decibels;
+  return ErrorValue{m.value, m.interval.low, std::max(high, m.value), m.noise, m.value > m.noise};
+}
+
+std::optional<ErrorValue> ssim_error(const PictureComparison& comparison) {
+  const int width = comparison.width, height = comparison.height;
+  if (std::min(width, height) < ssim_window) return std::nullopt;
+  const Measured m = measured(comparison.shown, [&](const auto& picture, const auto& reference) {
+    return ssim(width, height, picture, reference).value();
+  });
+  const double ceiling = similarity_without_error(m.noise);
+  return ErrorValue{m.value, std::max(-1.0, m.interval.low), std::min(1.0, m.interval.high + 1.0 - ceiling), ceiling,
+                    m.value > ceiling};
+}
+
+std::optional<ErrorValue> flip_error(const PictureComparison& comparison) {
+  return flip_error_over(comparison, std::vector<float>{comparison.exposure.value},
+                         [](std::span<const Rgb> picture, float stops) { return exposed(picture, stops); });
+}
+
+std::optional<ErrorValue> hdr_flip_error(const PictureComparison& comparison) {
+  const std::vector<float> range = exposure_range(comparison.exposure.start, comparison.exposure.stop).exposures();
+  return flip_error_over(comparison, range,
+                         [](std::span<const Rgb> picture, float stops) { return tone_mapped(picture, stops, ToneMapper::aces); });
+}
+
 ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
                           const Exposure& exposure) {
   GIBENCH_CHECK(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height), "one value for each pixel");
-  const Pictures pictures = pictures_of(pixels, reference);
-  const Pictures shown = displayed(pictures, exposure.value);
+  PictureComparison comparison{width, height, exposure, pictures_of(pixels, reference), {}};
+  comparison.shown = displayed(comparison.linear, exposure.value);
   ErrorTable table;
-  table["psnr"] = psnr_error(shown);
-  if (std::min(width, height) >= ssim_window) table["ssim"] = ssim_error(width, height, shown);
-  const std::vector<float> one_exposure{exposure.value}, range = exposure_range(exposure.start, exposure.stop).exposures();
-  table["flip"] = flip_error(width, height, pictures, one_exposure,
-                             [](std::span<const Rgb> picture, float stops) { return exposed(picture, stops); });
-  table["hdr_flip"] = flip_error(width, height, pictures, range, [](std::span<const Rgb> picture, float stops) {
-    return tone_mapped(picture, stops, ToneMapper::aces);
-  });
+  for (const Metric& metric : all_metrics())
+    if (const auto* of_pictures = std::get_if<PictureMetric>(&metric.function))
+      if (const auto error = of_pictures->error(comparison)) table[metric.name] = *error;
   return table;
 }
 

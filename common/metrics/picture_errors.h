@@ -1,7 +1,9 @@
-/// The metrics of what is seen, against a reference in replicates: psnr, ssim, flip and hdr_flip.
+/// The metrics of what is seen, against a reference in replicates.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "common/image/exposure.h"
 #include "common/metrics/error_value.h"
@@ -10,10 +12,31 @@
 
 namespace gibench {
 
+/// A picture and what it is held against: the mean of the reference, and the means without each group of replicates, from
+/// which the interval comes. `noisy` is held against the mean for the noise floor.
+struct Pictures {
+  std::vector<Rgb> test, mean, noisy;
+  std::vector<std::vector<Rgb>> without;
+};
+
+/// What the metrics of pictures are taken of.
+struct PictureComparison {
+  int width, height;
+  Exposure exposure;
+  Pictures linear;
+  Pictures shown;  ///< display values at the exposure
+};
+
 /// psnr, ssim and flip at the exposure's value, hdr_flip (ACES) over its range, all against the mean of the reference at
 /// default_pixels_per_degree; flip and hdr_flip are the means of their maps. Intervals by the delete-a-group jackknife over
-/// min(R, 8) groups of replicates. ssim is absent for pictures under 11 pixels wide or high. For psnr and ssim, which are
+/// min(R, 8) groups of replicates. ssim is empty for pictures under 11 pixels wide or high. For psnr and ssim, which are
 /// larger where the error is smaller, `noise_floor` is a ceiling: what the reference's own noise would give.
+std::optional<ErrorValue> psnr_error(const PictureComparison& comparison);
+std::optional<ErrorValue> ssim_error(const PictureComparison& comparison);
+std::optional<ErrorValue> flip_error(const PictureComparison& comparison);
+std::optional<ErrorValue> hdr_flip_error(const PictureComparison& comparison);
+
+/// Every metric of pictures in the table (metric_table.h) that is defined for them.
 ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
                           const Exposure& exposure);
 

@@ -1,4 +1,5 @@
 #include "common/core/error.h"
+#include "common/metrics/metric_table.h"
 #include "reports/collect/collect.h"
 #include "reports/collect/error_reading.h"
 #include "reports/collect/json_reading.h"
@@ -25,7 +26,7 @@ StudyRelight::Frame frame_of(const Json& entry) {
   frame.relight_seconds = number_at(seconds, "relight");
   frame.shade_seconds = number_at(seconds, "shade");
   for (const auto& [component, metrics] : object_at(entry, "errors").items())
-    if (const auto error = error_of(object_at(metrics, "relative_rmse"))) frame.relative_rmse.emplace(component, *error);
+    if (const auto error = error_of(object_at(metrics, headline_metric))) frame.relative_rmse.emplace(component, *error);
   return frame;
 }
 

@@ -49,15 +49,15 @@ std::string factor(double value) { return significant(value, value < 10.0 ? 2 : 
 
 std::string exact(double value) { return fmt::format("{}", value); }
 
-std::string error_value(const MetricInfo& metric, double value) {
-  return metric.percent ? significant(value * 100.0) + " %" : significant(value);
+std::string error_value(const Metric& metric, double value) {
+  return is_percentage(metric) ? significant(value * 100.0) + " %" : significant(value);
 }
 
-std::string error_text(const MetricInfo& metric, const MeasuredError& error) {
+std::string error_text(const Metric& metric, const MeasuredError& error) {
   if (error.below_noise_floor && error.noise_floor) return "≤ " + error_value(metric, *error.noise_floor);
   std::string text = error_value(metric, error.value);
   if (!error.low || !error.high) return text;
-  const double scale = metric.percent ? 100.0 : 1.0;
+  const double scale = is_percentage(metric) ? 100.0 : 1.0;
   return text + " [" + significant(*error.low * scale) + ", " + significant(*error.high * scale) + "]";
 }
 

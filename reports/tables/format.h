@@ -27,9 +27,9 @@ std::string factor(double value);
 std::string exact(double value);
 
 /// The value with its unit: "2.31 %" or "0.0231".
-std::string error_value(const MetricInfo& metric, double value);
+std::string error_value(const Metric& metric, double value);
 /// "2.31 % [2.20, 2.43]", with "≤ " and the noise floor for an error below it.
-std::string error_text(const MetricInfo& metric, const MeasuredError& error);
+std::string error_text(const Metric& metric, const MeasuredError& error);
 
 /// done, refused, timed out, …
 std::string status_text(RunStatus status);

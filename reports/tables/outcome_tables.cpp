@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <compare>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "reports/tables/format.h"
 #include "reports/tables/study_tables.h"
-#include "reports/tables/table_cells.h"
+#include "reports/tables/table_columns.h"
 
 namespace gibench::report {
 namespace {
@@ -20,10 +23,16 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void add_effects(const StudyRun& run, std::set<std::vector<std::string>>& known, Table& table) {
+/// What a method made of an effect on a scene, and why.
+struct EffectRow {
+  std::string scene, method, effect, outcome, why;
+  auto operator<=>(const EffectRow&) const = default;
+};
+
+void add_effects(const StudyRun& run, std::set<EffectRow>& known, std::vector<EffectRow>& rows) {
   const auto add = [&](const std::string& effect, const std::string& outcome, const std::string& why) {
-    if (!known.insert({run.scene, run.method, effect, outcome, why}).second) return;
-    table.rows.push_back({text_cell(run.scene), text_cell(run.method), text_cell(effect), text_cell(outcome), text_cell(why)});
+    const EffectRow row{run.scene, run.method, effect, outcome, why};
+    if (known.insert(row).second) rows.push_back(row);
   };
   for (const std::string& effect : run.effects->called_for) {
     const bool simulated = contains(run.effects->simulated, effect);
@@ -39,18 +48,18 @@ void add_effects(const StudyRun& run, std::set<std::vector<std::string>>& known,
 }  // namespace
 
 Table effect_table(const Study& study) {
-  Table table{.name = "effects",
-              .caption = "What each scene calls for and what each method made of it; what was not called for was not computed.",
-              .columns = {{"Scene", "scene", false},
-                          {"Method", "method", false},
-                          {"Effect", "effect", false},
-                          {"Outcome", "outcome", false},
-                          {"Why", "why", false}},
-              .rows = {}};
-  std::set<std::vector<std::string>> known;
+  Columns<EffectRow> columns;
+  columns.text("Scene", "scene", std::mem_fn(&EffectRow::scene))
+      .text("Method", "method", std::mem_fn(&EffectRow::method))
+      .text("Effect", "effect", std::mem_fn(&EffectRow::effect))
+      .text("Outcome", "outcome", std::mem_fn(&EffectRow::outcome))
+      .text("Why", "why", std::mem_fn(&EffectRow::why));
+  std::set<EffectRow> known;
+  std::vector<EffectRow> rows;
   for (const StudyRun& run : study.runs)
-    if (run.effects) add_effects(run, known, table);
-  return table;
+    if (run.effects) add_effects(run, known, rows);
+  return columns.table(
+      "effects", "What each scene calls for and what each method made of it; what was not called for was not computed.", rows);
 }
 
 namespace {
@@ -67,129 +76,126 @@ std::map<std::string, std::string> outcomes_of(const Effects& effects) {
 
 /// Runs of one scene and method under one plan.
 struct PlannedRuns {
-  const StudyRun* first;
+  const StudyRun& first;
   std::map<std::string, std::string> outcomes;
 };
+
+std::vector<PlannedRuns> planned_runs(const Study& study) {
+  std::vector<PlannedRuns> plans;
+  for (const StudyRun& run : study.runs) {
+    if (!run.effects) continue;
+    PlannedRuns plan{run, outcomes_of(*run.effects)};
+    const auto same = [&](const PlannedRuns& other) {
+      return other.first.scene == run.scene && other.first.method == run.method && other.outcomes == plan.outcomes &&
+             other.first.light_paths == run.light_paths;
+    };
+    if (std::none_of(plans.begin(), plans.end(), same)) plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+/// What scenes call for first, in the order in which the records tell it, then the other effects by name.
+std::vector<std::string> effects_in_order(const Study& study, const std::vector<PlannedRuns>& plans) {
+  std::vector<std::string> order;
+  const auto add = [&order](const std::string& name) {
+    if (!contains(order, name)) order.push_back(name);
+  };
+  for (const StudyRun& run : study.runs)
+    if (run.effects) std::for_each(run.effects->called_for.begin(), run.effects->called_for.end(), add);
+  std::set<std::string> others;
+  for (const PlannedRuns& plan : plans)
+    for (const auto& outcome : plan.outcomes) others.insert(outcome.first);
+  std::for_each(others.begin(), others.end(), add);
+  return order;
+}
 
 /// The model error of the picture, or of the surface samples where there is none.
 Cell cost_cell(const StudyRun& run) {
   if (run.complete == true) return {"none", "0"};
   for (const char* domain : {"image", "surface"})
-    if (const MeasuredError* error = run.model_error({domain, "total", "relative_rmse"}))
-      return {error_text(metric_info("relative_rmse"), *error), exact(error->value)};
+    if (const MeasuredError* error = run.model_error({domain, "total", headline_metric}))
+      return error_cell(metric_info(headline_metric), error);
   return text_cell("");
 }
 
 }  // namespace
 
 Table effect_matrix(const Study& study) {
-  Table table{
-      .name = "effect-matrix",
-      .caption =
-          "Effects by scene and method: simulated, missing (called for, beyond the method) or skipped (not called for, or "
-          "not allowed); and what the light paths that are not simulated cost: the relative RMSE of the picture's total "
-          "light without them.",
-      .columns = {{"Scene", "scene", false}, {"Method", "method", false}},
-      .rows = {}};
-  std::vector<PlannedRuns> plans;
+  const std::vector<PlannedRuns> plans = planned_runs(study);
   std::map<std::pair<std::string, std::string>, int> variants;
-  std::map<std::string, std::size_t> column;
-  for (const StudyRun& run : study.runs) {
-    if (!run.effects) continue;
-    const auto outcomes = outcomes_of(*run.effects);
-    const auto same = [&](const PlannedRuns& p) {
-      return p.first->scene == run.scene && p.first->method == run.method && p.outcomes == outcomes &&
-             p.first->light_paths == run.light_paths;
-    };
-    if (std::any_of(plans.begin(), plans.end(), same)) continue;
-    plans.push_back({&run, outcomes});
-    ++variants[{run.scene, run.method}];
-    for (const auto& outcome : outcomes) column.try_emplace(outcome.first, 0);
-  }
-  std::vector<std::string> order;
-  for (const StudyRun& run : study.runs)
-    if (run.effects)
-      for (const auto* names : {&run.effects->called_for})
-        for (const std::string& name : *names)
-          if (!contains(order, name)) order.push_back(name);
-  for (const auto& entry : column)
-    if (!contains(order, entry.first)) order.push_back(entry.first);
-  for (const std::string& effect : order) {
-    column[effect] = table.columns.size();
-    table.columns.push_back({effect, effect, false});
-  }
-  table.columns.push_back({"Model error", "model_error", true});
-  for (const PlannedRuns& plan : plans) {
-    const StudyRun& run = *plan.first;
-    const bool several = variants.at({run.scene, run.method}) > 1;
-    std::vector<Cell> row(table.columns.size(), text_cell(""));
-    row[0] = text_cell(run.scene);
-    row[1] = text_cell(several ? run.label : run.method);
-    for (const auto& [effect, outcome] : plan.outcomes) row[column.at(effect)] = text_cell(outcome);
-    row.back() = cost_cell(run);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+  for (const PlannedRuns& plan : plans) ++variants[{plan.first.scene, plan.first.method}];
+  Columns<PlannedRuns> columns;
+  columns.text("Scene", "scene", [](const PlannedRuns& plan) { return plan.first.scene; })
+      .text("Method", "method", [&](const PlannedRuns& plan) {
+        const bool several = variants.at({plan.first.scene, plan.first.method}) > 1;
+        return several ? plan.first.label : plan.first.method;
+      });
+  for (const std::string& effect : effects_in_order(study, plans))
+    columns.text(effect, effect, [effect](const PlannedRuns& plan) { return at(plan.outcomes, effect).value_or(""); });
+  columns.cells({"Model error", "model_error"}, [](const PlannedRuns& plan) { return cost_cell(plan.first); });
+  return columns.table(
+      "effect-matrix",
+      "Effects by scene and method: simulated, missing (called for, beyond the method) or skipped (not called for, or "
+      "not allowed); and what the light paths that are not simulated cost: the relative RMSE of the picture's total "
+      "light without them.",
+      plans);
 }
 
-Table failure_table(const Study& study) {
-  Table table{.name = "failures",
-              .caption = "Scenes that were left out, and runs that were refused, timed out, crashed or failed: results too.",
-              .columns = {{"Scene", "scene", false},
-                          {"Run", "run", false},
-                          {"Method", "method", false},
-                          {"Status", "status", false},
-                          {"Exit status", "exit_status"},
-                          {"After", "seconds"},
-                          {"Why", "why", false}},
-              .rows = {}};
-  const Cell nothing{std::string(dash), ""};
+namespace {
+
+/// A scene that was left out, or a run that gave no answer.
+struct Failure {
+  std::string scene, run, method, status;
+  std::optional<int> exit_code;
+  std::optional<double> seconds;
+  std::string why;
+};
+
+std::vector<Failure> failures_of(const Study& study) {
+  std::vector<Failure> failures;
   for (const StudyScene& scene : study.scenes)
-    if (scene.skipped)
-      table.rows.push_back(
-          {text_cell(scene.name), nothing, nothing, text_cell("skipped"), nothing, nothing, text_cell(*scene.skipped)});
+    if (scene.skipped) failures.push_back({scene.name, "", "", "skipped", {}, {}, *scene.skipped});
   for (const StudyRun& run : study.runs) {
     const auto in_skipped_scene = [&run](const StudyScene& scene) { return scene.skipped && scene.name == run.scene; };
     if (run.status == RunStatus::done || std::any_of(study.scenes.begin(), study.scenes.end(), in_skipped_scene)) continue;
-    table.rows.push_back({text_cell(run.scene), text_cell(run.label), text_cell(run.method), text_cell(status_text(run.status)),
-                          text_cell(run.exit_code ? std::to_string(*run.exit_code) : ""), seconds_cell(run.wall_seconds),
-                          text_cell(run.message)});
+    failures.push_back({run.scene, run.label, run.method, status_text(run.status), run.exit_code, run.wall_seconds, run.message});
   }
-  return table;
+  return failures;
+}
+
+}  // namespace
+
+Table failure_table(const Study& study) {
+  Columns<Failure> columns;
+  columns.text("Scene", "scene", std::mem_fn(&Failure::scene))
+      .text("Run", "run", std::mem_fn(&Failure::run))
+      .text("Method", "method", std::mem_fn(&Failure::method))
+      .text("Status", "status", std::mem_fn(&Failure::status))
+      .whole("Exit status", "exit_status", std::mem_fn(&Failure::exit_code))
+      .seconds("After", "seconds", std::mem_fn(&Failure::seconds))
+      .text("Why", "why", std::mem_fn(&Failure::why));
+  return columns.table("failures",
+                       "Scenes that were left out, and runs that were refused, timed out, crashed or failed: results too.",
+                       failures_of(study));
 }
 
 Table run_table(const Study& study) {
-  const std::vector<std::string> stages = {"load", "prepare", "light", "shade", "shade_surface", "shade_image"};
-  const std::vector<std::string> counters = {"closest_hit_rays", "occlusion_rays"};
-  Table table{.name = "runs",
-              .caption = "Every run: parameters, seconds per stage, memory and rays.",
-              .columns = {{"Scene", "scene", false},
-                          {"Run", "run", false},
-                          {"Method", "method", false},
-                          {"Status", "status", false},
-                          {"Parameters", "parameters", false},
-                          {"Seed", "seed"},
-                          {"Threads", "threads"}},
-              .rows = {}};
-  for (const std::string& stage : stages) table.columns.push_back({stage, stage + "_seconds"});
-  table.columns.insert(table.columns.end(),
-                       {{"Wall clock", "wall_seconds"}, {"Method memory", "method_bytes"}, {"Peak memory", "peak_bytes"}});
-  for (const std::string& counter : counters) table.columns.push_back({counter, counter});
-  const auto whole = [](std::optional<std::uint64_t> value) { return text_cell(value ? std::to_string(*value) : ""); };
-  for (const StudyRun& run : study.runs) {
-    std::vector<Cell> row = {text_cell(run.scene),
-                             text_cell(run.label),
-                             text_cell(run.method),
-                             text_cell(status_text(run.status)),
-                             text_cell(joined(run.parameters)),
-                             whole(run.seed),
-                             whole(run.threads)};
-    for (const std::string& stage : stages) row.push_back(seconds_cell(at(run.seconds, stage)));
-    row.insert(row.end(), {seconds_cell(run.wall_seconds), bytes_cell(run.method_bytes), bytes_cell(run.peak_bytes)});
-    for (const std::string& counter : counters) row.push_back(count_cell(at(run.counters, counter)));
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+  Columns<StudyRun> columns;
+  columns.text("Scene", "scene", std::mem_fn(&StudyRun::scene))
+      .text("Run", "run", std::mem_fn(&StudyRun::label))
+      .text("Method", "method", std::mem_fn(&StudyRun::method))
+      .text("Status", "status", [](const StudyRun& run) { return status_text(run.status); })
+      .text("Parameters", "parameters", [](const StudyRun& run) { return joined(run.parameters); })
+      .whole("Seed", "seed", std::mem_fn(&StudyRun::seed))
+      .whole("Threads", "threads", std::mem_fn(&StudyRun::threads));
+  for (const std::string stage : {"load", "prepare", "light", "shade", "shade_surface", "shade_image"})
+    columns.seconds(stage, stage + "_seconds", [stage](const StudyRun& run) { return at(run.seconds, stage); });
+  columns.seconds("Wall clock", "wall_seconds", std::mem_fn(&StudyRun::wall_seconds))
+      .bytes("Method memory", "method_bytes", std::mem_fn(&StudyRun::method_bytes))
+      .bytes("Peak memory", "peak_bytes", std::mem_fn(&StudyRun::peak_bytes));
+  for (const std::string counter : {"closest_hit_rays", "occlusion_rays"})
+    columns.count(counter, counter, [counter](const StudyRun& run) { return at(run.counters, counter); });
+  return columns.table("runs", "Every run: parameters, seconds per stage, memory and rays.", study.runs);
 }
 
 }  // namespace gibench::report

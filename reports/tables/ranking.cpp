@@ -16,7 +16,7 @@ struct Entry {
   bool below_floor;
 };
 
-std::optional<Entry> entry_of(const Study& study, std::size_t run, const ErrorKey& key, const MetricInfo& metric) {
+std::optional<Entry> entry_of(const Study& study, std::size_t run, const ErrorKey& key, const Metric& metric) {
   const StudyRun& record = study.runs[run];
   const MeasuredError* error = record.error(key);
   if (record.status != RunStatus::done || !error) return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<BaselineCurve::Answer> BaselineCurve::seconds_at(double error) con
 }
 
 BaselineCurve baseline_curve(const Study& study, const std::string& scene, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
+  const Metric metric = metric_info(key.metric);
   std::vector<std::pair<double, double>> points;
   for (const std::size_t run : study.runs_of(scene)) {
     if (study.runs[run].method != baseline_method) continue;
@@ -114,7 +114,7 @@ std::optional<SpeedUp> speed_up(const BaselineCurve& curve, const StudyRun& run,
 }
 
 std::vector<RankingRow> rank(const Study& study, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
+  const Metric metric = metric_info(key.metric);
   std::vector<RankingRow> rows;
   // Runs of one scene may share a label: the second of a label is a row of its own.
   std::map<std::tuple<std::string, std::string, int>, std::size_t> position;

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
+
 #include "reports/tables/format.h"
 #include "reports/tables/study_tables.h"
-#include "reports/tables/table_cells.h"
+#include "reports/tables/table_columns.h"
 
 namespace gibench::report {
 namespace {
@@ -28,61 +30,62 @@ Cell bounded_cell(const std::optional<BoundedNumber>& number, Format format) {
 std::string significant_of(double value) { return significant(value); }
 std::string whole_text(double value) { return fmt::format("{:.0f}", value); }
 
-Cell error_cell(const StudyRelight::Frame& frame, const std::string& component) {
-  const auto found = frame.relative_rmse.find(component);
-  if (found == frame.relative_rmse.end()) return {std::string(dash), ""};
-  return {error_text(metric_info("relative_rmse"), found->second), exact(found->second.value)};
-}
+struct FrameRow {
+  const StudyRelight& relight;
+  const StudyRelight::Frame& frame;
+};
 
 }  // namespace
 
 Table relight_table(const Study& study) {
-  Table table{.name = "relighting",
-              .caption =
-                  "Relighting: a frame's seconds (median) beside path tracing to the same error of the indirect light at the "
-                  "same surface samples, with 95% intervals, and the frames after which preparing has paid for itself.",
-              .columns = {{"Scene", "scene", false},
-                          {"Relighting", "relighting", false},
-                          {"Method", "method", false},
-                          {"Status", "status", false},
-                          {"Frames", "frames"},
-                          {"Prepare", "prepare_seconds"},
-                          {"Frame: light", "relight_seconds"},
-                          {"Frame: shade", "shade_seconds"},
-                          {"Path tracing", "path_tracing_seconds"},
-                          {"Cheaper by", "times_cheaper"},
-                          {"Pays after frames", "frames_that_pay"}},
-              .rows = {}};
-  for (const StudyRelight& relight : study.relights)
-    table.rows.push_back({text_cell(relight.scene), text_cell(relight.label), text_cell(relight.method),
-                          text_cell(status_text(relight.status)), count_cell(relight.frames),
-                          seconds_cell(relight.prepare_seconds), seconds_cell(relight.relight_seconds),
-                          seconds_cell(relight.shade_seconds), bounded_cell(relight.path_tracing_seconds, duration),
-                          bounded_cell(relight.times_cheaper, factor), bounded_cell(relight.frames_that_pay, whole_text)});
-  return table;
+  Columns<StudyRelight> columns;
+  columns.text("Scene", "scene", std::mem_fn(&StudyRelight::scene))
+      .text("Relighting", "relighting", std::mem_fn(&StudyRelight::label))
+      .text("Method", "method", std::mem_fn(&StudyRelight::method))
+      .text("Status", "status", [](const StudyRelight& relight) { return status_text(relight.status); })
+      .count("Frames", "frames", std::mem_fn(&StudyRelight::frames))
+      .seconds("Prepare", "prepare_seconds", std::mem_fn(&StudyRelight::prepare_seconds))
+      .seconds("Frame: light", "relight_seconds", std::mem_fn(&StudyRelight::relight_seconds))
+      .seconds("Frame: shade", "shade_seconds", std::mem_fn(&StudyRelight::shade_seconds))
+      .cells({"Path tracing", "path_tracing_seconds"},
+             [](const StudyRelight& relight) { return bounded_cell(relight.path_tracing_seconds, duration); })
+      .cells({"Cheaper by", "times_cheaper"},
+             [](const StudyRelight& relight) { return bounded_cell(relight.times_cheaper, factor); })
+      .cells({"Pays after frames", "frames_that_pay"},
+             [](const StudyRelight& relight) { return bounded_cell(relight.frames_that_pay, whole_text); });
+  return columns.table(
+      "relighting",
+      "Relighting: a frame's seconds (median) beside path tracing to the same error of the indirect light at the "
+      "same surface samples, with 95% intervals, and the frames after which preparing has paid for itself.",
+      study.relights);
 }
 
 Table relit_frame_table(const Study& study) {
-  Table table{.name = "relit-frames",
-              .caption =
-                  "Every relit frame: its time on the light path, materials that switched, seconds, and relative RMSE at the "
-                  "surface samples.",
-              .columns = {{"Scene", "scene", false},
-                          {"Relighting", "relighting", false},
-                          {"Method", "method", false},
-                          {"At", "at"},
-                          {"Switched", "switched", false},
-                          {"Light", "relight_seconds"},
-                          {"Shade", "shade_seconds"},
-                          {"Direct light", "direct_relative_rmse"},
-                          {"Indirect light", "indirect_relative_rmse"}},
-              .rows = {}};
+  const Metric metric = metric_info(headline_metric);
+  const auto error_of = [&metric](const std::string& component) {
+    return [&metric, component](const FrameRow& row) {
+      const auto found = row.frame.relative_rmse.find(component);
+      return error_cell(metric, found == row.frame.relative_rmse.end() ? nullptr : &found->second);
+    };
+  };
+  Columns<FrameRow> columns;
+  columns.text("Scene", "scene", [](const FrameRow& row) { return row.relight.scene; })
+      .text("Relighting", "relighting", [](const FrameRow& row) { return row.relight.label; })
+      .text("Method", "method", [](const FrameRow& row) { return row.relight.method; })
+      .rounded("At", "at", [](const FrameRow& row) { return row.frame.at; })
+      .text("Switched", "switched", [](const FrameRow& row) { return fmt::format("{}", fmt::join(row.frame.switched, ", ")); })
+      .seconds("Light", "relight_seconds", [](const FrameRow& row) { return row.frame.relight_seconds; })
+      .seconds("Shade", "shade_seconds", [](const FrameRow& row) { return row.frame.shade_seconds; })
+      .cells({"Direct light", "direct_relative_rmse"}, error_of("direct"))
+      .cells({"Indirect light", "indirect_relative_rmse"}, error_of("indirect"));
+  std::vector<FrameRow> rows;
   for (const StudyRelight& relight : study.relights)
-    for (const StudyRelight::Frame& frame : relight.all_frames)
-      table.rows.push_back({text_cell(relight.scene), text_cell(relight.label), text_cell(relight.method), number_cell(frame.at),
-                            text_cell(fmt::format("{}", fmt::join(frame.switched, ", "))), seconds_cell(frame.relight_seconds),
-                            seconds_cell(frame.shade_seconds), error_cell(frame, "direct"), error_cell(frame, "indirect")});
-  return table;
+    for (const StudyRelight::Frame& frame : relight.all_frames) rows.push_back({relight, frame});
+  return columns.table(
+      "relit-frames",
+      "Every relit frame: its time on the light path, materials that switched, seconds, and relative RMSE at the "
+      "surface samples.",
+      rows);
 }
 
 std::string relight_sentence(const StudyRelight& relight) {

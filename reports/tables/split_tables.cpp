@@ -1,25 +1,18 @@
 /// Tables of what scenes call for, and of what methods lack.
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <set>
 
 #include "reports/tables/format.h"
 #include "reports/tables/study_tables.h"
-#include "reports/tables/table_cells.h"
+#include "reports/tables/table_columns.h"
 
 namespace gibench::report {
 namespace {
 
-Cell error_cell(const MetricInfo& metric, const MeasuredError* error) {
-  return error ? Cell{error_text(metric, *error), exact(error->value)} : Cell{std::string(dash), ""};
-}
-
-Cell floor_cell(const MetricInfo& metric, const MeasuredError* error) {
-  return cell(
-      error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact);
-}
-
 /// A run of all light paths has no model error: that is known, not measured.
-Cell model_cell(const MetricInfo& metric, bool complete, const MeasuredError* error) {
+Cell model_cell(const Metric& metric, bool complete, const MeasuredError* error) {
   return complete ? Cell{"none: all light paths", "0"} : error_cell(metric, error);
 }
 
@@ -35,98 +28,109 @@ const MeasuredError* at_key(const std::map<ErrorKey, MeasuredError>& errors, con
   return found == errors.end() ? nullptr : &found->second;
 }
 
+std::string verdict(bool called_for) { return called_for ? "called for" : "not called for"; }
+
+/// What a scene says of one effect, or of its bounces.
+struct EvidenceRow {
+  std::string scene, effect, verdict, evidence;
+};
+
+/// Both parts of an error of a run.
+struct SplitRow {
+  const StudyRun& run;
+  const MeasuredError *model, *discretisation;
+};
+
+struct BounceRow {
+  const StudyRun& run;
+  const StudyRun::Bounce& bounce;
+  const MeasuredError *model, *discretisation;
+};
+
+/// The columns of both parts, each with its noise floor.
+template <class Row, class Complete>
+void add_parts(Columns<Row>& columns, const Metric& metric, Complete complete) {
+  columns
+      .cells({"Model error", "model_error"},
+             [&metric, complete](const Row& row) { return model_cell(metric, complete(row), row.model); })
+      .cells({"Noise floor", "model_noise_floor"}, [&metric](const Row& row) { return floor_cell(metric, row.model); })
+      .cells({"Discretisation error", "discretisation_error"},
+             [&metric](const Row& row) { return error_cell(metric, row.discretisation); })
+      .cells({"Noise floor", "discretisation_noise_floor"},
+             [&metric](const Row& row) { return floor_cell(metric, row.discretisation); });
+}
+
 }  // namespace
 
 Table call_table(const Study& study) {
-  Table table{.name = "scene-effects",
-              .caption = "What each scene calls for, and how many reflections its light needs.",
-              .columns = {{"Scene", "scene", false}},
-              .rows = {}};
-  for (const StudyScene& scene : study.scenes)
-    for (const SceneEffect& effect : scene.effects)
-      if (std::none_of(table.columns.begin(), table.columns.end(), [&](const Column& c) { return c.name == effect.effect; }))
-        table.columns.push_back({effect.effect, effect.effect, false});
-  table.columns.push_back({"Bounces", "bounces", false});
+  Columns<StudyScene> columns;
+  columns.text("Scene", "scene", std::mem_fn(&StudyScene::name));
+  std::set<std::string> known;
+  std::vector<StudyScene> rows;
   for (const StudyScene& scene : study.scenes) {
-    if (scene.effects.empty()) continue;
-    std::vector<Cell> row(table.columns.size(), text_cell(""));
-    row.front() = text_cell(scene.name);
-    row.back() = text_cell(scene.bounces);
-    for (const SceneEffect& effect : scene.effects)
-      for (std::size_t c = 1; c < table.columns.size(); ++c)
-        if (table.columns[c].name == effect.effect) row[c] = text_cell(effect.called_for ? "called for" : "not called for");
-    table.rows.push_back(std::move(row));
+    if (!scene.effects.empty()) rows.push_back(scene);
+    for (const SceneEffect& effect : scene.effects) {
+      if (!known.insert(effect.effect).second) continue;
+      columns.text(effect.effect, effect.effect, [name = effect.effect](const StudyScene& row) {
+        const auto found = std::ranges::find(row.effects, name, &SceneEffect::effect);
+        return found == row.effects.end() ? "" : verdict(found->called_for);
+      });
+    }
   }
-  return table;
+  columns.text("Bounces", "bounces", std::mem_fn(&StudyScene::bounces));
+  return columns.table("scene-effects", "What each scene calls for, and how many reflections its light needs.", rows);
 }
 
 Table evidence_table(const Study& study) {
-  Table table{.name = "scene-evidence",
-              .caption = "Why each scene calls for an effect or not.",
-              .columns = {{"Scene", "scene", false},
-                          {"Effect", "effect", false},
-                          {"Verdict", "verdict", false},
-                          {"Evidence", "evidence", false}},
-              .rows = {}};
+  Columns<EvidenceRow> columns;
+  columns.text("Scene", "scene", std::mem_fn(&EvidenceRow::scene))
+      .text("Effect", "effect", std::mem_fn(&EvidenceRow::effect))
+      .text("Verdict", "verdict", std::mem_fn(&EvidenceRow::verdict))
+      .text("Evidence", "evidence", std::mem_fn(&EvidenceRow::evidence));
+  std::vector<EvidenceRow> rows;
   for (const StudyScene& scene : study.scenes) {
     for (const SceneEffect& effect : scene.effects)
-      table.rows.push_back({text_cell(scene.name), text_cell(effect.effect),
-                            text_cell(effect.called_for ? "called for" : "not called for"), text_cell(effect.evidence)});
-    if (!scene.bounces.empty())
-      table.rows.push_back(
-          {text_cell(scene.name), text_cell("bounces"), text_cell(scene.bounces), text_cell(scene.bounce_bound)});
+      rows.push_back({scene.name, effect.effect, verdict(effect.called_for), effect.evidence});
+    if (!scene.bounces.empty()) rows.push_back({scene.name, "bounces", scene.bounces, scene.bounce_bound});
   }
-  return table;
+  return columns.table("scene-evidence", "Why each scene calls for an effect or not.", rows);
 }
 
 Table split_table(const Study& study, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
-  Table table{.name = "error-split",
-              .caption = metric.title + " of " + describe(key) +
-                         " in two parts. Model error: the reference of the light paths that the method simulates against that of "
-                         "all. Discretisation error: the method against the former. In brackets the 95% interval.",
-              .columns = {{"Scene", "scene", false},
-                          {"Run", "run", false},
-                          {"Method", "method", false},
-                          {"Missing", "missing", false},
-                          {"Model error", "model_error"},
-                          {"Noise floor", "model_noise_floor"},
-                          {"Discretisation error", "discretisation_error"},
-                          {"Noise floor", "discretisation_noise_floor"},
-                          {"Total error", "total_error"},
-                          {"Light paths", "light_paths", false}},
-              .rows = {}};
-  for (const StudyRun& run : study.runs) {
-    if (run.status != RunStatus::done || !run.complete || !run.error(key)) continue;
-    const MeasuredError *model = run.model_error(key), *own = run.discretisation_error(key);
-    table.rows.push_back({text_cell(run.scene), text_cell(run.label), text_cell(run.method), text_cell(missing_of(run)),
-                          model_cell(metric, *run.complete, model), floor_cell(metric, model), error_cell(metric, own),
-                          floor_cell(metric, own), error_cell(metric, run.error(key)), text_cell(run.light_paths)});
-  }
-  return table;
+  const Metric metric = metric_info(key.metric);
+  Columns<SplitRow> columns;
+  columns.text("Scene", "scene", [](const SplitRow& row) { return row.run.scene; })
+      .text("Run", "run", [](const SplitRow& row) { return row.run.label; })
+      .text("Method", "method", [](const SplitRow& row) { return row.run.method; })
+      .text("Missing", "missing", [](const SplitRow& row) { return missing_of(row.run); });
+  add_parts(columns, metric, [](const SplitRow& row) { return row.run.complete == true; });
+  columns.cells({"Total error", "total_error"}, [&](const SplitRow& row) { return error_cell(metric, row.run.error(key)); })
+      .text("Light paths", "light_paths", [](const SplitRow& row) { return row.run.light_paths; });
+  std::vector<SplitRow> rows;
+  for (const StudyRun& run : study.runs)
+    if (run.status == RunStatus::done && run.complete && run.error(key))
+      rows.push_back({run, run.model_error(key), run.discretisation_error(key)});
+  return columns.table("error-split",
+                       metric.title + " of " + describe(key) +
+                           " in two parts. Model error: the reference of the light paths that the method simulates against that "
+                           "of all. Discretisation error: the method against the former. In brackets the 95% interval.",
+                       rows);
 }
 
 Table bounce_table(const Study& study, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
-  Table table{.name = "error-per-bounce",
-              .caption = metric.title + " of the light of each number of reflections by itself, " + describe(key) + ".",
-              .columns = {{"Scene", "scene", false},
-                          {"Run", "run", false},
-                          {"Bounce", "bounce"},
-                          {"Model error", "model_error"},
-                          {"Noise floor", "model_noise_floor"},
-                          {"Discretisation error", "discretisation_error"},
-                          {"Noise floor", "discretisation_noise_floor"}},
-              .rows = {}};
+  const Metric metric = metric_info(key.metric);
+  Columns<BounceRow> columns;
+  columns.text("Scene", "scene", [](const BounceRow& row) { return row.run.scene; })
+      .text("Run", "run", [](const BounceRow& row) { return row.run.label; })
+      .whole("Bounce", "bounce", [](const BounceRow& row) { return row.bounce.number; });
+  add_parts(columns, metric, [](const BounceRow& row) { return row.bounce.complete; });
+  std::vector<BounceRow> rows;
   for (const StudyRun& run : study.runs)
-    for (const StudyRun::Bounce& bounce : run.bounces) {
-      const MeasuredError *model = at_key(bounce.model_errors, key), *own = at_key(bounce.discretisation_errors, key);
-      if (!own) continue;
-      table.rows.push_back({text_cell(run.scene), text_cell(run.label), text_cell(std::to_string(bounce.number)),
-                            model_cell(metric, bounce.complete, model), floor_cell(metric, model), error_cell(metric, own),
-                            floor_cell(metric, own)});
-    }
-  return table;
+    for (const StudyRun::Bounce& bounce : run.bounces)
+      if (const MeasuredError* own = at_key(bounce.discretisation_errors, key))
+        rows.push_back({run, bounce, at_key(bounce.model_errors, key), own});
+  return columns.table("error-per-bounce",
+                       metric.title + " of the light of each number of reflections by itself, " + describe(key) + ".", rows);
 }
 
 }  // namespace gibench::report

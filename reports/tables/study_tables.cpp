@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "reports/tables/format.h"
-#include "reports/tables/table_cells.h"
+#include "reports/tables/table_columns.h"
 
 namespace gibench::report {
 namespace {
@@ -19,25 +19,17 @@ std::string shade_stage(const StudyRun& run, const std::string& domain) {
   return run.seconds.contains("shade_" + domain) ? "shade_" + domain : "shade";
 }
 
-std::vector<Cell> scene_row(const StudyRun& run, const BaselineCurve& curve, const ErrorKey& key, const MetricInfo& metric) {
-  const MeasuredError* error = run.error(key);
-  const auto speed = speed_up(curve, run, key);
-  return {text_cell(run.label),
-          text_cell(run.method),
-          text_cell(status_text(run.status)),
-          {error ? error_text(metric, *error) : std::string(dash), error ? exact(error->value) : ""},
-          cell(
-              error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact),
-          cell(speed, speed_up_text, [](const SpeedUp& s) { return exact(s.factor); }),
-          seconds_cell(run.transport_seconds(key.domain)),
-          seconds_cell(at(run.seconds, "prepare")),
-          seconds_cell(at(run.seconds, "light")),
-          seconds_cell(at(run.seconds, shade_stage(run, key.domain))),
-          bytes_cell(run.method_bytes),
-          bytes_cell(run.peak_bytes),
-          count_cell(at(run.counters, "closest_hit_rays")),
-          count_cell(at(run.counters, "occlusion_rays"))};
-}
+/// A run on the scene that a table is of.
+struct SceneRow {
+  const StudyRun& run;
+  std::optional<SpeedUp> speed_up;
+};
+
+struct ErrorRow {
+  const StudyRun& run;
+  const ErrorKey& key;
+  const MeasuredError& error;
+};
 
 /// The speed-up on one scene, or how the run ended where it gave no answer.
 Cell ranked_cell(const Study& study, const RankedRun& ranked) {
@@ -60,90 +52,88 @@ std::string scene_slug(const Study& study, std::size_t scene) {
 }
 
 Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
-  Table table{.name = scene_slug(study, scene),
-              .caption = study.scenes[scene].name + ": " + metric.title + " of " + describe(key) +
-                         " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors), "
-                         "seconds, memory and rays.",
-              .columns = {{"Run", "run", false},
-                          {"Method", "method", false},
-                          {"Status", "status", false},
-                          {metric.title + " [95% interval]", key.metric},
-                          {"Noise floor", "noise_floor"},
-                          {"Speed-up", "speed_up"},
-                          {"Time", "seconds"},
-                          {"Prepare", "prepare_seconds"},
-                          {"Light", "light_seconds"},
-                          {"Shade", "shade_seconds"},
-                          {"Method memory", "method_bytes"},
-                          {"Peak memory", "peak_bytes"},
-                          {"Closest-hit rays", "closest_hit_rays"},
-                          {"Occlusion rays", "occlusion_rays"}},
-              .rows = {}};
-  const BaselineCurve curve = baseline_curve(study, study.scenes[scene].name, key);
-  for (const std::size_t run : study.runs_of(study.scenes[scene].name))
-    table.rows.push_back(scene_row(study.runs[run], curve, key, metric));
-  return table;
+  const std::string& name = study.scenes[scene].name;
+  const Metric metric = metric_info(key.metric);
+  const auto stage = [](const std::string& of) { return [of](const SceneRow& row) { return at(row.run.seconds, of); }; };
+  const auto counter = [](const std::string& of) { return [of](const SceneRow& row) { return at(row.run.counters, of); }; };
+  Columns<SceneRow> columns;
+  columns.text("Run", "run", [](const SceneRow& row) { return row.run.label; })
+      .text("Method", "method", [](const SceneRow& row) { return row.run.method; })
+      .text("Status", "status", [](const SceneRow& row) { return status_text(row.run.status); })
+      .cells({metric.title + " [95% interval]", key.metric},
+             [&](const SceneRow& row) { return error_cell(metric, row.run.error(key)); })
+      .cells({"Noise floor", "noise_floor"}, [&](const SceneRow& row) { return floor_cell(metric, row.run.error(key)); })
+      .cells({"Speed-up", "speed_up"},
+             [](const SceneRow& row) {
+               return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
+             })
+      .seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
+      .seconds("Prepare", "prepare_seconds", stage("prepare"))
+      .seconds("Light", "light_seconds", stage("light"))
+      .seconds("Shade", "shade_seconds",
+               [&](const SceneRow& row) { return at(row.run.seconds, shade_stage(row.run, key.domain)); })
+      .bytes("Method memory", "method_bytes", [](const SceneRow& row) { return row.run.method_bytes; })
+      .bytes("Peak memory", "peak_bytes", [](const SceneRow& row) { return row.run.peak_bytes; })
+      .count("Closest-hit rays", "closest_hit_rays", counter("closest_hit_rays"))
+      .count("Occlusion rays", "occlusion_rays", counter("occlusion_rays"));
+  const BaselineCurve curve = baseline_curve(study, name, key);
+  std::vector<SceneRow> rows;
+  for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_up(curve, study.runs[run], key)});
+  return columns.table(scene_slug(study, scene),
+                       name + ": " + metric.title + " of " + describe(key) +
+                           " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors), "
+                           "seconds, memory and rays.",
+                       rows);
 }
 
 Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<RankingRow>& rows) {
   const auto left_out = [](const StudyScene& scene) { return scene.skipped.has_value(); };
   const auto answered = std::count_if(study.scenes.begin(), study.scenes.end(), std::not_fn(left_out));
   const std::string of = fmt::format(" of {}", answered);
-  Table table{.name = "ranking",
-              .caption = "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
-                         ": the path tracer's time for a run's error over the run's time; geometric mean over the scenes.",
-              .columns = {{"Run", "run", false},
-                          {"Method", "method", false},
-                          {"Geometric mean", "geometric_mean_speed_up"},
-                          {"Scenes" + of, "scenes_compared"},
-                          {"Mean error rank", "mean_error_rank"},
-                          {"On the front" + of, "scenes_on_front"},
-                          {"Without answer" + of, "scenes_without_answer"}},
-              .rows = {}};
-  for (const StudyScene& scene : study.scenes)
-    if (!scene.skipped) table.columns.push_back({scene.name, scene.name});
-  for (const RankingRow& row : rows) {
-    std::vector<Cell> cells = {
-        text_cell(row.label),
-        text_cell(row.method),
-        {row.geometric_mean ? std::string(row.at_least ? "≥ " : "").append(factor(*row.geometric_mean)) : std::string(dash),
-         row.geometric_mean ? exact(*row.geometric_mean) : ""},
-        text_cell(std::to_string(row.compared)),
-        cell(
-            row.mean_error_rank, [](double r) { return fmt::format("{:.1f}", r); }, exact),
-        text_cell(std::to_string(row.on_front)),
-        text_cell(std::to_string(row.not_done))};
-    for (std::size_t scene = 0; scene < row.scenes.size(); ++scene)
-      if (!study.scenes[scene].skipped) cells.push_back(ranked_cell(study, row.scenes[scene]));
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
+  Columns<RankingRow> columns;
+  columns.text("Run", "run", [](const RankingRow& row) { return row.label; })
+      .text("Method", "method", [](const RankingRow& row) { return row.method; })
+      .cells({"Geometric mean", "geometric_mean_speed_up"},
+             [](const RankingRow& row) {
+               const auto text = [&](double mean) { return std::string(row.at_least ? "≥ " : "").append(factor(mean)); };
+               return cell(row.geometric_mean, text, exact);
+             })
+      .whole("Scenes" + of, "scenes_compared", [](const RankingRow& row) { return row.compared; })
+      .cells({"Mean error rank", "mean_error_rank"},
+             [](const RankingRow& row) {
+               return cell(
+                   row.mean_error_rank, [](double mean) { return fmt::format("{:.1f}", mean); }, exact);
+             })
+      .whole("On the front" + of, "scenes_on_front", [](const RankingRow& row) { return row.on_front; })
+      .whole("Without answer" + of, "scenes_without_answer", [](const RankingRow& row) { return row.not_done; });
+  for (std::size_t s = 0; s < study.scenes.size(); ++s)
+    if (const StudyScene& scene = study.scenes[s]; !scene.skipped)
+      columns.cells({scene.name, scene.name}, [&study, s](const RankingRow& row) { return ranked_cell(study, row.scenes[s]); });
+  return columns.table("ranking",
+                       "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
+                           ": the path tracer's time for a run's error over the run's time; geometric mean over the scenes.",
+                       rows);
 }
 
 Table error_table(const Study& study) {
-  Table table{.name = "errors",
-              .caption = "Every error of every run with its 95% interval and the reference's noise floor.",
-              .columns = {{"Scene", "scene", false},
-                          {"Run", "run", false},
-                          {"Method", "method", false},
-                          {"Domain", "domain", false},
-                          {"Component", "component", false},
-                          {"Metric", "metric", false},
-                          {"Value", "value"},
-                          {"Low", "ci95_low"},
-                          {"High", "ci95_high"},
-                          {"Noise floor", "noise_floor"},
-                          {"Below the floor", "below_noise_floor", false},
-                          {"Time", "seconds"}},
-              .rows = {}};
+  Columns<ErrorRow> columns;
+  columns.text("Scene", "scene", [](const ErrorRow& row) { return row.run.scene; })
+      .text("Run", "run", [](const ErrorRow& row) { return row.run.label; })
+      .text("Method", "method", [](const ErrorRow& row) { return row.run.method; })
+      .text("Domain", "domain", [](const ErrorRow& row) { return row.key.domain; })
+      .text("Component", "component", [](const ErrorRow& row) { return row.key.component; })
+      .text("Metric", "metric", [](const ErrorRow& row) { return row.key.metric; })
+      .rounded("Value", "value", [](const ErrorRow& row) { return row.error.value; })
+      .rounded("Low", "ci95_low", [](const ErrorRow& row) { return row.error.low; })
+      .rounded("High", "ci95_high", [](const ErrorRow& row) { return row.error.high; })
+      .rounded("Noise floor", "noise_floor", [](const ErrorRow& row) { return row.error.noise_floor; })
+      .text("Below the floor", "below_noise_floor",
+            [](const ErrorRow& row) { return row.error.below_noise_floor ? "yes" : "no"; })
+      .seconds("Time", "seconds", [](const ErrorRow& row) { return row.run.transport_seconds(row.key.domain); });
+  std::vector<ErrorRow> rows;
   for (const StudyRun& run : study.runs)
-    for (const auto& [key, error] : run.errors)
-      table.rows.push_back({text_cell(run.scene), text_cell(run.label), text_cell(run.method), text_cell(key.domain),
-                            text_cell(key.component), text_cell(key.metric), number_cell(error.value), number_cell(error.low),
-                            number_cell(error.high), number_cell(error.noise_floor),
-                            text_cell(error.below_noise_floor ? "yes" : "no"), seconds_cell(run.transport_seconds(key.domain))});
-  return table;
+    for (const auto& [key, error] : run.errors) rows.push_back({run, key, error});
+  return columns.table("errors", "Every error of every run with its 95% interval and the reference's noise floor.", rows);
 }
 
 }  // namespace gibench::report

@@ -29,6 +29,19 @@ inline Cell number_cell(std::optional<double> number) {
       number, [](double value) { return significant(value); }, exact);
 }
 
+template <class Integer>
+Cell whole_cell(const std::optional<Integer>& number) {
+  return text_cell(number ? std::to_string(*number) : "");
+}
+/// The error with its interval.
+inline Cell error_cell(const Metric& metric, const MeasuredError* error) {
+  return error ? Cell{error_text(metric, *error), exact(error->value)} : text_cell("");
+}
+inline Cell floor_cell(const Metric& metric, const MeasuredError* error) {
+  return cell(
+      error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact);
+}
+
 /// The value of a name, empty where it is absent.
 template <class T>
 std::optional<T> at(const std::map<std::string, T>& values, const std::string& name) {

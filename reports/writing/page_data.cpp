@@ -50,14 +50,17 @@ Json table_json(const Table& table) {
   return {{"name", table.name}, {"caption", table.caption}, {"columns", columns}, {"rows", rows}};
 }
 
-Json metric_json(const MetricInfo& metric) {
-  return {{"name", metric.name},       {"title", metric.title},
-          {"meaning", metric.meaning}, {"logarithmic", metric.logarithmic},
-          {"percent", metric.percent}, {"higher_is_better", metric.higher_is_better}};
+Json metric_json(const Metric& metric) {
+  return {{"name", metric.name},
+          {"title", metric.title},
+          {"meaning", metric.meaning},
+          {"logarithmic", is_logarithmic(metric)},
+          {"percent", is_percentage(metric)},
+          {"higher_is_better", higher_is_better(metric)}};
 }
 
 /// What is drawn for one error: the error below the noise floor is drawn at the floor.
-Json drawn_error(const MetricInfo& metric, const MeasuredError& error) {
+Json drawn_error(const Metric& metric, const MeasuredError& error) {
   const bool below = error.below_noise_floor && error.noise_floor.has_value();
   Json entry = {{"y", plotted_value(metric, below ? *error.noise_floor : error.value)},
                 {"below", below},
@@ -137,7 +140,7 @@ Json scene_json(const Study& study, std::size_t index, const std::vector<PagePic
   const StudyScene& scene = study.scenes[index];
   Json tables = Json::array(), shown = Json::array();
   for (const ErrorKey& key : keys) tables.push_back(table_json(scene_table(study, index, key)));
-  if (keys.empty()) tables.push_back(table_json(scene_table(study, index, {"surface", "indirect", "relative_rmse"})));
+  if (keys.empty()) tables.push_back(table_json(scene_table(study, index, usual_key())));
   for (const PagePicture& picture : pictures) shown.push_back(picture_json(picture));
   return {{"name", scene.name},
           {"slug", scene_slug(study, index)},
@@ -173,7 +176,7 @@ Json ranking_json(const Study& study, const ErrorKey& key) {
 
 /// The points of the plot of both parts: one of each part that a run measured.
 Json split_json(const Study& study, const ErrorKey& key) {
-  const MetricInfo metric = metric_info(key.metric);
+  const Metric metric = metric_info(key.metric);
   Json points = Json::array();
   for (const StudyRun& run : study.runs) {
     if (run.status != RunStatus::done || !run.complete) continue;

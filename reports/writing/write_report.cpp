@@ -30,7 +30,7 @@ void write_table(const fs::path& folder, const Table& table) {
 
 void write_tables(const Study& study, const fs::path& folder) {
   const std::vector<ErrorKey> keys = measured_keys(study);
-  const ErrorKey key = keys.empty() ? ErrorKey{"surface", "indirect", "relative_rmse"} : keys.front();
+  const ErrorKey key = keys.empty() ? usual_key() : keys.front();
   for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) write_table(folder, scene_table(study, scene, key));
   write_table(folder, ranking_table(study, key, rank(study, key)));
   for (const Table& table :

@@ -44,7 +44,7 @@ TEST(Format, ExactReadsBackTheSame) {
 }
 
 TEST(Format, ErrorWithIntervalAndBelowTheFloor) {
-  const MetricInfo percent = metric_info("relative_rmse"), plain = metric_info("flip");
+  const Metric percent = metric_info("relative_rmse"), plain = metric_info("flip");
   EXPECT_EQ(error_text(percent, {.value = 0.0231, .low = 0.022, .high = 0.0243, .noise_floor = 0.001}), "2.31 % [2.20, 2.43]");
   EXPECT_EQ(error_text(plain, {.value = 0.0231, .low = {}, .high = {}, .noise_floor = {}}), "0.0231");
   EXPECT_EQ(error_text(percent, {.value = 0.0004, .low = 0.0, .high = 0.002, .noise_floor = 0.004, .below_noise_floor = true}),
