@@ -14,7 +14,7 @@
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
 #include "common/geometry/geometry_report.h"
-#include "common/reference/reference_store.h"
+#include "common/reference/scene_key.h"
 #include "methods/registry.h"
 
 namespace gibench {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "common/reference/scene_key.h"
+
 namespace gibench {
 
 namespace {

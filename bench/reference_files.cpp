@@ -7,7 +7,7 @@
 #include "bench/run_errors.h"
 #include "bench/run_record.h"
 #include "common/core/atomic_file.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 
 namespace gibench {
 

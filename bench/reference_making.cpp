@@ -11,6 +11,7 @@
 #include "bench/run_method.h"
 #include "common/core/error.h"
 #include "common/core/random.h"
+#include "common/reference/merge.h"
 
 namespace gibench {
 

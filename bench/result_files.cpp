@@ -5,7 +5,7 @@
 
 #include "bench/machine.h"
 #include "common/core/atomic_file.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 
 namespace gibench {
 

@@ -1,6 +1,7 @@
 #include "bench/run_bounces.h"
 
 #include "bench/run_errors.h"
+#include "common/effects/plan_paths.h"
 #include "common/light_paths/automaton.h"
 
 namespace gibench {

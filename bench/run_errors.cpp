@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/core/error.h"
+#include "common/metrics/automatic_exposure.h"
 #include "common/metrics/errors.h"
 
 namespace gibench {

@@ -19,8 +19,4 @@ Arrangement arrangement_of(const World& world);
 /// what lies outside at infinity gives nothing and so is not hidden.
 bool lights_may_be_hidden(const World& world, Arrangement arrangement, bool sealed, const Lighting& lighting);
 
-/// Whether no lit side sees anything outside the scene: every one looks into a closed room whose fronts face inwards. Proven
-/// or false; false for more than 2048 triangles.
-bool is_sealed(const World& world);
-
 }  // namespace gibench

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "common/core/error.h"
-#include "common/effects/scene_effects.h"
 
 namespace gibench {
 
@@ -65,32 +64,6 @@ std::string names_of(const EffectSet& effects) {
   std::vector<std::string> names;
   for (const Effect effect : effects) names.emplace_back(to_string(effect));
   return fmt::format("{}", fmt::join(names, ", "));
-}
-
-EffectPlan plan_effects(const SceneEffects& scene, const EffectSet& can_do) {
-  EffectPlan plan;
-  plan.max_bounces = scene.max_bounces;
-  plan.arrangement = scene.arrangement;
-  plan.sealed = scene.sealed;
-  plan.unlit = scene.unlit;
-  plan.grey_surfaces = scene.grey_surfaces;
-  plan.changes = scene.changes;
-  plan.limits = scene.limits;
-  const PlanLimits& limits = scene.limits;
-  for (const EffectEvidence& evidence : scene.effects) {
-    const Effect effect = evidence.effect;
-    const bool can = can_do.contains(effect) || effect == Effect::two_sided || effect == Effect::colour;
-    if (!evidence.called_for) {
-      if (limits.forced.contains(effect)) plan.simulated.insert(effect);
-      else plan.skipped.push_back({effect, evidence.why});
-      continue;
-    }
-    plan.called_for.insert(effect);
-    if (limits.allowed && !limits.allowed->contains(effect) && !scene_properties().contains(effect))
-      plan.skipped.push_back({effect, "called for, but not among the effects allowed"});
-    else (can ? plan.simulated : plan.missing).insert(effect);
-  }
-  return plan;
 }
 
 }  // namespace gibench

@@ -1,11 +1,10 @@
-/// The light-path expression of a plan.
+#include "common/effects/plan_paths.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
-
-#include "common/effects/effect_plan.h"
 
 namespace gibench {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/core/error.h"
+#include "common/effects/sealed.h"
 
 namespace gibench {
 
@@ -136,6 +137,32 @@ SceneEffects analyse_effects(const World& world, std::optional<int> bounces) {
   PlanLimits limits;
   limits.bounces = bounces;
   return analyse_effects(world, limits);
+}
+
+EffectPlan plan_effects(const SceneEffects& scene, const EffectSet& can_do) {
+  EffectPlan plan;
+  plan.max_bounces = scene.max_bounces;
+  plan.arrangement = scene.arrangement;
+  plan.sealed = scene.sealed;
+  plan.unlit = scene.unlit;
+  plan.grey_surfaces = scene.grey_surfaces;
+  plan.changes = scene.changes;
+  plan.limits = scene.limits;
+  const PlanLimits& limits = scene.limits;
+  for (const EffectEvidence& evidence : scene.effects) {
+    const Effect effect = evidence.effect;
+    const bool can = can_do.contains(effect) || effect == Effect::two_sided || effect == Effect::colour;
+    if (!evidence.called_for) {
+      if (limits.forced.contains(effect)) plan.simulated.insert(effect);
+      else plan.skipped.push_back({effect, evidence.why});
+      continue;
+    }
+    plan.called_for.insert(effect);
+    if (limits.allowed && !limits.allowed->contains(effect) && !scene_properties().contains(effect))
+      plan.skipped.push_back({effect, "called for, but not among the effects allowed"});
+    else (can ? plan.simulated : plan.missing).insert(effect);
+  }
+  return plan;
 }
 
 }  // namespace gibench

@@ -1,10 +1,5 @@
-/// Whether a scene is closed against what lies outside.
-///
-/// The winding number of a closed, oriented surface about a point changes only where that surface is crossed and is zero
-/// far away. So a point with another number sees the surface in every direction, whatever else there is. A room is a
-/// component whose edges each join two faces that run along it in opposite ways, with one-sided fronts that face inwards
-/// (negative volume) and no two faces that cross: about the inner side of its faces the number is not zero. A component
-/// that crosses no face of the room lies inside or outside as a whole, as one of its points does.
+#include "common/effects/sealed.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,10 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "common/effects/arrangement.h"
 #include "common/geometry/mesh_topology.h"
 
 namespace gibench {
+
+// The winding number of a closed, oriented surface about a point changes only where that surface is crossed and is zero
+// far away. So a point with another number sees the surface in every direction, whatever else there is. A room is a
+// component whose edges each join two faces that run along it in opposite ways, with one-sided fronts that face inwards
+// (negative volume) and no two faces that cross: about the inner side of its faces the number is not zero. A component
+// that crosses no face of the room lies inside or outside as a whole, as one of its points does.
 
 namespace {
 

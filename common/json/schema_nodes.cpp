@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "common/core/names.h"
+#include "common/json/schema_validation.h"
 
 namespace gibench {
 

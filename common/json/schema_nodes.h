@@ -26,7 +26,4 @@ struct BrokenRule {
 /// The first rule that a value itself breaks (its elements are left alone).
 std::optional<BrokenRule> broken_rule(const nlohmann::json& root, const SchemaNodes& nodes, const nlohmann::json& value);
 
-/// Whether a value is valid under a schema that needs no definitions of others.
-bool holds(const nlohmann::json& schema, const nlohmann::json& value);
-
 }  // namespace gibench

@@ -12,6 +12,7 @@
 
 #include "common/core/rgb.h"
 #include "common/effects/effect_plan.h"
+#include "common/effects/plan_paths.h"
 #include "common/lighting/direct_light.h"
 #include "common/method/parameters.h"
 #include "common/method/quantity.h"

@@ -2,6 +2,7 @@
 
 #include "common/core/error.h"
 #include "common/image/tone_mapping.h"
+#include "common/metrics/automatic_exposure.h"
 #include "common/metrics/display_metrics.h"
 #include "common/metrics/errors.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "common/metrics/flip.h"
 #include "common/metrics/hdr_flip.h"
 

@@ -4,23 +4,15 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 
 #include "common/core/rgb.h"
 #include "common/image/exposure.h"
+#include "common/metrics/error_value.h"
 #include "common/metrics/replicas.h"
 
 namespace gibench {
-
-struct ErrorValue {
-  double value = 0.0;
-  double low = 0.0, high = 0.0;       ///< 95% interval over the reference replicates (jackknife, Student t; see intervals.h)
-  std::optional<double> noise_floor;  ///< in the metric's unit: what the reference's own noise would give
-  bool below_noise_floor = false;     ///< then `value` says no more than that the error is small
-};
-using ErrorTable = std::map<std::string, ErrorValue>;
 
 /// rmse, relative_rmse (rmse over the mean of r), bias, rel_mse(0.01), rel_mse_trim(0.1%), mape(0.01), smape(0.02), max:
 /// see value_metrics.h. Channels are averaged. Needs two replicates at least; values and replicates are finite. What the
@@ -34,9 +26,5 @@ ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, cons
 
 /// The metrics of value_errors against a reference that is taken as exact.
 std::map<std::string, double> exact_value_errors(std::span<const Rgb> values, std::span<const Rgb> reference);
-
-/// An exposure for a scene that stores none, from the luminance of the reference image: the geometric mean of the pixels
-/// that are not black is shown as 0.18 (Reinhard et al. 2002), the range is that of HDR-FLIP (automatic_exposures).
-Exposure automatic_exposure(std::span<const Rgb> pixels);
 
 }  // namespace gibench

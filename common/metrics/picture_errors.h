@@ -3,8 +3,10 @@
 
 #include <span>
 
-#include "common/metrics/errors.h"
+#include "common/image/exposure.h"
+#include "common/metrics/error_value.h"
 #include "common/metrics/intervals.h"
+#include "common/metrics/replicas.h"
 
 namespace gibench {
 

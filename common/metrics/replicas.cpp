@@ -1,5 +1,7 @@
 #include "common/metrics/replicas.h"
 
+#include <cmath>
+
 #include "common/core/error.h"
 #include "common/core/parallel.h"
 
@@ -84,6 +86,19 @@ Replicas Replicas::sum(const Replicas& a, const Replicas& b) {
   for (std::size_t r = 0; r < a.count(); ++r)
     for (std::size_t i = 0; i < a.size(); ++i) total.replicas[r][i] += b.replicas[r][i];
   return total;
+}
+
+std::optional<double> relative_standard_error(const Replicas& replicas) {
+  if (replicas.size() == 0 || replicas.count() < 2) return std::nullopt;
+  const std::vector<Rgb> mean = replicas.mean(), variance = replicas.variance_of_mean();
+  RgbDouble squares, variances;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    squares += RgbDouble(mean[i]) * RgbDouble(mean[i]);
+    variances += RgbDouble(variance[i]);
+  }
+  const double values = squares.r + squares.g + squares.b;
+  if (!(values > 0.0)) return std::nullopt;
+  return std::sqrt((variances.r + variances.g + variances.b) / values);
 }
 
 }  // namespace gibench

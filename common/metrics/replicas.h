@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "common/core/rgb.h"
@@ -26,5 +27,9 @@ struct Replicas {
   /// Replicate by replicate sum, as for total = direct + indirect. Shapes must agree.
   static Replicas sum(const Replicas& a, const Replicas& b);
 };
+
+/// Root mean square of the standard errors over the root mean square of the values, over values and channels: what the
+/// reference's own noise is, as a share. Empty without values, with under two replicates, or where all values are 0.
+std::optional<double> relative_standard_error(const Replicas& replicas);
 
 }  // namespace gibench

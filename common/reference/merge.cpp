@@ -1,7 +1,6 @@
-#include <cmath>
+#include "common/reference/merge.h"
 
 #include "common/core/error.h"
-#include "common/reference/reference_store.h"
 
 namespace gibench {
 
@@ -54,19 +53,6 @@ void merge(Reference& into, const Reference& more) {
   }
   into.samples_per_replica = samples;
   into.seconds += more.seconds;
-}
-
-std::optional<double> relative_standard_error(const Replicas& replicas) {
-  if (replicas.size() == 0 || replicas.count() < 2) return std::nullopt;
-  const std::vector<Rgb> mean = replicas.mean(), variance = replicas.variance_of_mean();
-  RgbDouble squares, variances;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    squares += RgbDouble(mean[i]) * RgbDouble(mean[i]);
-    variances += RgbDouble(variance[i]);
-  }
-  const double values = squares.r + squares.g + squares.b;
-  if (!(values > 0.0)) return std::nullopt;
-  return std::sqrt((variances.r + variances.g + variances.b) / values);
 }
 
 }  // namespace gibench

@@ -11,6 +11,7 @@
 #include "common/core/hash.h"
 #include "common/reference/folder_replacement.h"
 #include "common/reference/replica_file.h"
+#include "common/reference/scene_key.h"
 
 namespace gibench {
 

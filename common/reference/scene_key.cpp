@@ -1,5 +1,6 @@
+#include "common/reference/scene_key.h"
+
 #include "common/core/hash.h"
-#include "common/reference/reference_store.h"
 
 namespace gibench {
 

@@ -7,7 +7,7 @@
 #include "methods/antiradiance/hierarchy.h"
 #include "methods/antiradiance/lanes.h"
 #include "methods/antiradiance/links.h"
-#include "methods/antiradiance/refinement.h"
+#include "methods/antiradiance/refinement_rule.h"
 
 namespace gibench::antiradiance {
 

@@ -2,31 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-#include <span>
 
 #include "common/method/task.h"
 #include "methods/antiradiance/hierarchy.h"
 #include "methods/antiradiance/links.h"
+#include "methods/antiradiance/refinement_rule.h"
 
 namespace gibench::antiradiance {
-
-/// Which sides exchange light.
-enum class Facing {
-  fronts,  ///< fronts send to fronts: real light
-  both,    ///< backs send, too (antiradiance), and black backs receive
-};
-
-struct RefinementRule {
-  Facing facing = Facing::fronts;
-  /// The oracle accepts a pair when neither disc fills more than this share of the other's hemisphere (weighted by the cosines).
-  float tolerance = 0.01F;
-  /// Radiosity of every node, W/m²; then what is held against the tolerance is form factor · radiosity · area over the mean of
-  /// radiosity and the mean area of the elements. Empty: the geometry alone.
-  std::span<const float> radiosity = {};
-  float mean_radiosity = 0.0F;
-  std::size_t most_links = std::numeric_limits<std::size_t>::max();
-};
 
 struct RefinementCounts {
   std::uint64_t pairs = 0;  ///< looked at by the oracle

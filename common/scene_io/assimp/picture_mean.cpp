@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "common/core/error.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "common/image/srgb.h"
 
 namespace gibench {

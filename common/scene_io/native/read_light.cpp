@@ -6,7 +6,7 @@
 #include "common/core/error.h"
 #include "common/core/find_file.h"
 #include "common/core/names.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "common/scene_io/native/read_values.h"
 
 namespace gibench {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/json/json_schema.h"
+#include "common/scene_io/native/scene_schema_text.h"
 
 namespace gibench {
 

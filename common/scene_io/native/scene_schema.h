@@ -8,9 +8,6 @@
 
 namespace gibench {
 
-/// The text of scenes/scene.schema.json (JSON Schema draft 7) as it was when the program was built.
-const char* scene_schema_text();
-
 /// Validates against one of the schema's definitions ("light", "material", …), or against the whole schema where
 /// `definition` is empty; throws as check_against_json_schema().
 void check_against_scene_schema(const nlohmann::json& value, const std::string& definition, const JsonPlace& place);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/metrics/automatic_exposure.h"
 #include "tests/common/metrics/noisy_references.h"
 
 namespace gibench {

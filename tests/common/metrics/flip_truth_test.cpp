@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/core/atomic_file.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "common/metrics/flip.h"
 #include "common/metrics/hdr_flip.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "common/core/error.h"
-#include "common/reference/reference_store.h"
+#include "common/reference/merge.h"
 #include "tests/common/reference/references.h"
 
 namespace gibench {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/random.h"
-#include "common/reference/reference_store.h"
+#include "common/reference/reference.h"
 
 namespace gibench::test {
 

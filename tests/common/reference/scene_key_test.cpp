@@ -4,7 +4,7 @@
 #include <memory>
 #include <set>
 
-#include "common/reference/reference_store.h"
+#include "common/reference/scene_key.h"
 #include "tests/common/reference/references.h"
 #include "tests/support/scene_builder.h"
 

@@ -7,7 +7,7 @@
 
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "common/image/srgb.h"
 #include "tests/common/image/formats/image_files.h"
 #include "tests/support/scratch_folder.h"

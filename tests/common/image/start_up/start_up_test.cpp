@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "common/core/atomic_file.h"
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "tests/common/scene_io/scene_text.h"
 #include "tests/support/scratch_folder.h"
 

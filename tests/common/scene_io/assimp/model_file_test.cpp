@@ -1,7 +1,7 @@
 // OBJ, PLY and STL models: geometry as the file has it, materials of MTL files, models as objects of a scene.
 #include <cmath>
 
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 #include "tests/common/scene_io/scene_text.h"
 #include "tests/support/scratch_folder.h"
 

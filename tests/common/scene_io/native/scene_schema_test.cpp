@@ -1,5 +1,5 @@
 // The schema and the loader are one: what the schema names the loader reads, what it does not name is refused.
-#include "common/scene_io/native/scene_schema.h"
+#include "common/scene_io/native/scene_schema_text.h"
 
 #include <functional>
 #include <set>

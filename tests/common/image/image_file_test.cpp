@@ -1,4 +1,4 @@
-#include "common/image/image.h"
+#include "common/image/image_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,35 @@
+/// A path-traced answer in independent replicates, and the question that it answers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/metrics/replicas.h"
+#include "common/scene/scene.h"
+
+namespace gibench {
+
+/// What a reference is of; hashed into its folder's name.
+struct ReferenceQuestion {
+  std::string path_class;  ///< light-path expression, e.g. "C.*[LOB]", or with bounces "C.{0,3}[LOB]"
+  std::uint64_t seed = 1;
+  std::size_t surface_samples = 0;  ///< irradiance at area_uniform_samples(world, count, seed)
+  std::optional<Camera> camera;     ///< radiance image; empty: surface samples only
+  int pixel_samples = 1;            ///< camera rays per pixel
+};
+
+/// direct and indirect replicates of one set of values.
+struct ReferenceValues {
+  Replicas direct, indirect;
+};
+
+struct Reference {
+  ReferenceQuestion question;
+  std::uint64_t samples_per_replica = 0;  ///< paths for each value in each replicate
+  double seconds = 0.0;                   ///< spent so far on making it
+  ReferenceValues surface;                ///< W/m²
+  ReferenceValues image;                  ///< W/(m² sr), row-major from the top
+};
+
+}  // namespace gibench
