@@ -15,7 +15,7 @@
 namespace gibench {
 
 /// rmse, relative_rmse (rmse over the mean of r), bias, rel_mse(0.01), rel_mse_trim(0.1%), mape(0.01), smape(0.02), max:
-/// see value_metrics.h. Channels are averaged. Needs two replicates at least; values and replicates are finite. What the
+/// see value_metrics.h. Channels are averaged. InputError for fewer than two replicates or a value that is not finite. What the
 /// squared errors are over two halves is unbiased, also where the error is smaller than the reference's noise (a
 /// negative estimate is given as 0); the others are against the mean of all replicates, whose noise they contain: the
 /// low end of their interval allows for it. relative_rmse and bias are absent where the mean of r is not positive.
