@@ -92,6 +92,21 @@ std::vector<std::vector<Rgb>> every(const std::vector<std::vector<Rgb>>& replica
   return chosen;
 }
 
+/// InputError for shards that calls of different --replicas or --samples made.
+void check_shards(const std::vector<Reference>& shards) {
+  std::size_t replicas = 0;
+  for (const Reference& shard : shards) replicas += shard.surface.direct.count();
+  for (std::size_t i = 0; i < shards.size(); ++i) {
+    const std::size_t count = shards[i].surface.direct.count(), wanted = (replicas + shards.size() - 1 - i) / shards.size();
+    const std::uint64_t samples = shards[i].samples_per_replica, wanted_samples = shards.front().samples_per_replica;
+    if (count != wanted || samples != wanted_samples)
+      throw InputError(fmt::format("shard {} of {}", i, shards.size()),
+                       fmt::format("has {} replicates of {} samples, and {} of {} would fit the other shards", count, samples,
+                                   wanted, wanted_samples),
+                       "make every shard with the same --replicas and --samples");
+  }
+}
+
 /// Replica r of the whole stands in shard r mod n at place r / n.
 Replicas interleave(const std::vector<const Replicas*>& shards) {
   std::size_t count = 0;
@@ -149,11 +164,11 @@ Reference shard_of(const Reference& whole, int shard, int of) {
 
 Reference merge_shards(const std::vector<Reference>& shards) {
   GIBENCH_CHECK(!shards.empty(), "a whole has parts");
+  check_shards(shards);
   Reference whole = shards.front();
   whole.seconds = 0.0;
   std::vector<const Replicas*> surface_direct, surface_indirect, image_direct, image_indirect;
   for (const Reference& shard : shards) {
-    GIBENCH_CHECK(shard.samples_per_replica == whole.samples_per_replica, "shards of one reference took the same samples");
     whole.seconds += shard.seconds;
     surface_direct.push_back(&shard.surface.direct);
     surface_indirect.push_back(&shard.surface.indirect);

@@ -48,7 +48,8 @@ std::uint64_t whole_samples(std::uint64_t samples, const ReferenceQuestion& ques
 
 /// The replicates that one shard of `of` has: those r with r mod of = shard.
 Reference shard_of(const Reference& whole, int shard, int of);
-/// The whole out of its shards, in the order of the shards; all with the same question and samples.
+/// The whole out of its shards, in the order of the shards, all of one question. InputError where their numbers of replicates or
+/// samples do not fit.
 Reference merge_shards(const std::vector<Reference>& shards);
 
 }  // namespace gibench

@@ -1,8 +1,5 @@
 #include "common/core/error.h"
 
-#include <cstdio>
-#include <cstdlib>
-
 namespace gibench {
 
 namespace {
@@ -21,8 +18,7 @@ InputError::InputError(const std::string& place, const std::string& problem, con
     : std::runtime_error(one_line(place, problem, mend)) {}
 
 void check_failed(const char* condition, const char* message, const char* file, int line) {
-  std::fprintf(stderr, "%s:%d: check failed: %s (%s)\n", file, line, message, condition);
-  std::abort();
+  throw CheckFailed(std::string(file) + ":" + std::to_string(line) + ": check failed: " + message + " (" + condition + ")");
 }
 
 }  // namespace gibench

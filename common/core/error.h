@@ -1,5 +1,5 @@
-/// The error channels: bad input throws InputError; work that could not be finished throws WorkError;
-/// a programmer's error is a failed check. What numerics do is told in a StageReport, never thrown.
+/// The error channels: bad input throws InputError; work that could not be finished throws WorkError; a programmer's error
+/// throws CheckFailed. What numerics do is told in a StageReport, never thrown. Nothing ends the process.
 #pragma once
 
 #include <stdexcept>
@@ -20,7 +20,14 @@ class WorkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reports a broken invariant on stderr and aborts; see GIBENCH_CHECK.
+/// An invariant is broken, which is an error in the program that calls or in the library. `what()` is one line with file,
+/// line, message and condition. Exit status 4.
+class CheckFailed : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Throws CheckFailed; see GIBENCH_CHECK.
 [[noreturn]] void check_failed(const char* condition, const char* message, const char* file, int line);
 
 }  // namespace gibench

@@ -13,8 +13,12 @@ namespace gibench {
 
 namespace {
 
-void check_finite(std::span<const Rgb> values, const char* message) {
-  for (const Rgb& value : values) GIBENCH_CHECK(is_finite(value), message);
+/// `what` names the values in the error.
+void check_finite(std::span<const Rgb> values, const std::string& what) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!is_finite(values[i]))
+      throw InputError(what + "[" + std::to_string(i) + "]", "is not finite, so that no error can be taken",
+                       "give finite values");
 }
 
 /// The means of a reference with their storage.
@@ -23,9 +27,11 @@ struct HalvedReference {
   std::vector<Rgb> mean, half_a, half_b, noisy;
 
   explicit HalvedReference(const Replicas& set) : replicas(set) {
-    GIBENCH_CHECK(set.count() >= 2, "errors need two reference replicates at least");
+    if (set.count() < 2)
+      throw InputError("reference", "errors need two replicates at least, and it has " + std::to_string(set.count()),
+                       "make it with more replicates");
     mean = set.mean(), half_a = set.half(0), half_b = set.half(1);
-    check_finite(mean, "a reference is finite");
+    check_finite(mean, "reference");
     noisy = values_with_noise_only(means());
   }
   ReferenceMeans means() const { return {mean, half_a, half_b}; }
@@ -93,7 +99,7 @@ void for_each_estimate(std::span<const Rgb> values, const ReferenceMeans& means,
 }
 
 ErrorTable errors_of_values(std::span<const Rgb> values, const HalvedReference& reference) {
-  check_finite(values, "values to take errors of are finite");
+  check_finite(values, "values");
   GIBENCH_CHECK(values.size() == reference.mean.size(), "one reference value for each value");
   ErrorTable table;
   for_each_estimate(values, reference.means(),

@@ -14,8 +14,8 @@
 
 namespace gibench {
 
-/// The metrics of linear values (metric_table.h). Channels are averaged. Needs two replicates at least; values and
-/// replicates are finite. What the squared errors are over two halves is unbiased, also where the error is smaller than the
+/// The metrics of linear values (metric_table.h). Channels are averaged. InputError for fewer than two replicates or a value
+/// that is not finite. What the squared errors are over two halves is unbiased, also where the error is smaller than the
 /// reference's noise (a negative estimate is given as 0); the others are against the mean of all replicates, whose noise they
 /// contain: the low end of their interval allows for it. relative_rmse and bias are absent where the mean of r is not positive.
 ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference);

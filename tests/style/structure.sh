@@ -48,4 +48,8 @@ while read -r file; do
   if ! grep -q '^#pragma once' "$file"; then fault "$file: a header starts with #pragma once"; fi
   if ! head -n 1 "$file" | grep -q '^///'; then fault "$file: a header's first line says what it holds (/// ...)"; fi
 done < <(source_files | grep '\.h$')
+
+forbid '(common|methods|bench|reports|scenes|tests)/' 'assimp/' "only common/scene_io/assimp sees Assimp" \
+  'common/scene_io/assimp/|scenes/generators/'
+forbid '(common|methods|bench|reports|scenes|tests)/' 'valijson/' "only common/json sees Valijson" 'common/json/'
 finish

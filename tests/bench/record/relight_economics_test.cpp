@@ -71,6 +71,11 @@ TEST(PathTracingSeconds, HaveNoUpperEndWhereTheErrorMayVanish) {
   EXPECT_EQ(seconds.high, std::nullopt);
 }
 
+TEST(TimesCheaper, AreNotKnownForAFrameThatTheClockDoesNotResolve) {
+  EXPECT_THAT(times_cheaper({2.0, 1.0, 4.0}, 0.5).value, Optional(4.0));
+  EXPECT_FALSE(times_cheaper({2.0, 1.0, 4.0}, 0.0).value);
+}
+
 TEST(FramesThatPay, AreTheLeastWithWhichPreparingPays) {
   // 10 + 0.1 n ≤ 2.1 n from n = 5 on.
   const Bounded frames = frames_that_pay(10.0, 0.1, {2.1, 0.6, 10.1});

@@ -7,6 +7,7 @@
 
 #include "common/core/error.h"
 #include "common/effects/plan_paths.h"
+#include "common/effects/sealed.h"
 #include "common/light_paths/automaton.h"
 #include "tests/support/scene_builder.h"
 

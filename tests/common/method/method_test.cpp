@@ -1,6 +1,7 @@
 /// The checks that the public calls make, on a method that does what each test tells it to.
 #include "common/method/method.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "common/geometry/surface_sampling.h"
+#include "tests/support/check_failed.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench {
@@ -70,39 +72,50 @@ class Method : public testing::Test {
   std::vector<Rgb> direct, indirect;
 };
 
-using MethodDeathTest = Method;
-
-TEST_F(MethodDeathTest, ThePublicCallsComeInOrder) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_DEATH(method.light(lighting, task), "after a prepare");
-  EXPECT_DEATH(shade(), "after a light");
+TEST_F(Method, ThePublicCallsComeInOrder) {
+  EXPECT_THAT([&] { method.light(lighting, task); }, test::fails_check("after a prepare"));
+  EXPECT_THAT([&] { shade(); }, test::fails_check("after a light"));
   method.prepare(world, {}, task);
-  EXPECT_DEATH(shade(), "after a light");
-  EXPECT_DEATH(method.light(Lighting{}, task), "one emission for each material");
+  EXPECT_THAT([&] { shade(); }, test::fails_check("after a light"));
+  EXPECT_THAT([&] { method.light(Lighting{}, task); }, test::fails_check("one emission for each material"));
 }
 
-TEST_F(MethodDeathTest, AStageThatFailedCannotBeBuiltOn) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+TEST_F(Method, AStageThatFailedCannotBeBuiltOn) {
   method.prepare_ends = Termination::out_of_budget;
   EXPECT_EQ(method.prepare(world, {}, task).termination, Termination::out_of_budget);
-  EXPECT_DEATH(method.light(lighting, task), "after a prepare");
+  EXPECT_THAT([&] { method.light(lighting, task); }, test::fails_check("after a prepare"));
   method.prepare_ends = Termination::done;
   method.light_ends = Termination::not_converged;
   method.prepare(world, {}, task);
   EXPECT_EQ(method.light(lighting, task).termination, Termination::not_converged);
-  EXPECT_DEATH(shade(), "after a light");
+  EXPECT_THAT([&] { shade(); }, test::fails_check("after a light"));
 }
 
-TEST_F(MethodDeathTest, SizesAndQuantitiesAreChecked) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+TEST_F(Method, SizesAndQuantitiesAreChecked) {
   make_ready();
   std::vector<Rgb> few(samples.size() - 1);
-  EXPECT_DEATH(method.shade({Quantity::irradiance, samples, {}}, {few, {}, {}, {}, {}}, task), "one value for each sample");
-  EXPECT_DEATH(method.shade({Quantity::irradiance, samples, {}}, {{}, {}, few, {}, {}}, task), "one variance for each");
-  EXPECT_DEATH(method.shade({Quantity::radiance, samples, {}}, {direct, {}, {}, {}, {}}, task), "one direction for each");
-  EXPECT_DEATH(shade(Quantity::accessibility), "only for quantities that it answers");
+  EXPECT_THAT(
+      [&] {
+        method.shade({Quantity::irradiance, samples, {}}, {few, {}, {}, {}, {}}, task);
+      },
+      test::fails_check("one value for each sample"));
+  EXPECT_THAT(
+      [&] {
+        method.shade({Quantity::irradiance, samples, {}}, {{}, {}, few, {}, {}}, task);
+      },
+      test::fails_check("one variance for each"));
+  EXPECT_THAT(
+      [&] {
+        method.shade({Quantity::radiance, samples, {}}, {direct, {}, {}, {}, {}}, task);
+      },
+      test::fails_check("one direction for each"));
+  EXPECT_THAT([&] { shade(Quantity::accessibility); }, test::fails_check("only for quantities that it answers"));
   method.can.variance = false;
-  EXPECT_DEATH(method.shade({Quantity::irradiance, samples, {}}, {direct, {}, indirect, {}, {}}, task), "methods that know it");
+  EXPECT_THAT(
+      [&] {
+        method.shade({Quantity::irradiance, samples, {}}, {direct, {}, indirect, {}, {}}, task);
+      },
+      test::fails_check("methods that know it"));
 }
 
 TEST_F(Method, EveryValueThatWasWrittenIsHandedOn) {

@@ -8,6 +8,7 @@
 
 #include "common/metrics/automatic_exposure.h"
 #include "tests/common/metrics/noisy_references.h"
+#include "tests/support/check_failed.h"
 
 namespace gibench {
 namespace {
@@ -119,17 +120,19 @@ TEST(Errors, ABlackReferenceHasNoRelativeErrors) {
   for (const auto& [name, error] : table) EXPECT_TRUE(std::isfinite(error.value) && std::isfinite(error.high)) << name;
 }
 
-TEST(ErrorsDeathTest, RefuseWhatTheyCannotMeasure) {
+TEST(Errors, RefuseWhatTheyCannotMeasure) {
   const Pixels truth = truth_picture();
   const Replicas one = test::noisy_replicas(truth, 1, 0.01F, 1), eight = test::noisy_replicas(truth, 8, 0.01F, 1);
-  EXPECT_DEATH(value_errors(truth, one), "two reference replicates");
+  const auto refused = [](const std::string& text) { return testing::ThrowsMessage<InputError>(testing::HasSubstr(text)); };
+  EXPECT_THAT([&] { value_errors(truth, one); }, refused("reference: errors need two replicates at least, and it has 1"));
   Pixels broken = truth;
   broken[7].g = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_DEATH(value_errors(broken, eight), "finite");
+  EXPECT_THAT([&] { value_errors(broken, eight); }, refused("values[7]: is not finite"));
+  EXPECT_THAT([&] { image_errors(width, height, broken, eight, {}); }, refused("values[7]: is not finite"));
   Replicas broken_reference = eight;
   broken_reference.replicas[3][2].b = std::numeric_limits<float>::infinity();
-  EXPECT_DEATH(value_errors(truth, broken_reference), "finite");
-  EXPECT_DEATH(value_errors(std::span(truth).first(5), eight), "one reference value for each value");
+  EXPECT_THAT([&] { value_errors(truth, broken_reference); }, refused("reference[2]: is not finite"));
+  EXPECT_THAT([&] { value_errors(std::span(truth).first(5), eight); }, test::fails_check("one reference value for each value"));
 }
 
 TEST(Errors, AutomaticExposureShowsTheMiddleGrey) {
