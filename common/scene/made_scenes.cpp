@@ -1,4 +1,4 @@
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
@@ -6,7 +6,7 @@
 
 #include "common/core/random.h"
 
-namespace gibench::test {
+namespace gibench::made {
 
 namespace {
 
@@ -174,4 +174,4 @@ Scene random_triangles(std::size_t count, float extent, float size, std::uint64_
   return builder.build("random triangles");
 }
 
-}  // namespace gibench::test
+}  // namespace gibench::made
