@@ -22,13 +22,13 @@ std::span<const MethodEntry> all_methods() {
   return methods;
 }
 
-const MethodEntry& find_method(std::string_view name) {
+const MethodEntry& find_method(std::string_view name, const std::string& place) {
   std::string known;
   for (const MethodEntry& entry : all_methods()) {
     if (entry.name == name) return entry;
     known += (known.empty() ? "" : ", ") + entry.name;
   }
-  throw InputError("--method", fmt::format("unknown method '{}'", name), "known: " + known);
+  throw InputError(place, fmt::format("unknown method '{}'", name), "known: " + known);
 }
 
 }  // namespace gibench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "common/method/method.h"
@@ -10,7 +11,7 @@ namespace gibench {
 
 std::span<const MethodEntry> all_methods();
 
-/// Throws InputError, the known names listed, for a name that is not registered.
-const MethodEntry& find_method(std::string_view name);
+/// Throws InputError, the known names listed, for a name that is not registered. `place` is where it is named.
+const MethodEntry& find_method(std::string_view name, const std::string& place = "--method");
 
 }  // namespace gibench

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/measuring_options.h"
+#include "bench/app/options.h"
 #include "bench/app/print_json.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/loaded_scene.h"

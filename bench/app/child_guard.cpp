@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "bench/study/child_process.h"
+
 namespace gibench {
 
 void die_with_parent_study() {

@@ -9,8 +9,8 @@
 
 #include "bench/app/child_guard.h"
 #include "bench/app/exit_status.h"
+#include "bench/app/signals.h"
 #include "bench/app/verbs.h"
-#include "bench/measure/cancellation.h"
 #include "bench/record/machine.h"
 #include "common/core/error.h"
 

@@ -23,8 +23,7 @@ std::string describe_seconds(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
-ProgressBar::ProgressBar(std::string title, bool quiet)
-    : title_(std::move(title)), shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::string title) : title_(std::move(title)), shown_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::update(const std::string& step, double done) {
   if (!shown_) return;
@@ -42,9 +41,16 @@ void ProgressBar::update(const std::string& step, double done) {
   std::fflush(stderr);
 }
 
+void ProgressBar::note(const std::string& line) {
+  wipe();
+  fmt::print(stderr, "{}\n", line);
+}
+
 void ProgressBar::wipe() {
   if (drawn_) std::fputs("\r\033[K", stderr);
   drawn_ = false;
 }
+
+std::shared_ptr<Progress> show_on_terminal(const std::string& title) { return std::make_shared<ProgressBar>(title); }
 
 }  // namespace gibench

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/measuring_options.h"
+#include "bench/app/options.h"
 #include "bench/app/print_json.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"

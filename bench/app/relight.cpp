@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/measuring_options.h"
+#include "bench/app/options.h"
 #include "bench/app/print_json.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
@@ -136,6 +136,27 @@ class Relighter {
   MeasuringPoints points_;
   LitMethod lit_;
 };
+
+/// "3.1 [2.5, 4.2]"; "at least 2.5" or "at most 4.2" where the noise hides the rest.
+std::string bounded_text(const Json& number) {
+  const Json &low = number["ci95"][0], &high = number["ci95"][1];
+  const auto text = [](const Json& end) { return end.is_null() ? std::string("–") : fmt::format("{:.3g}", end.get<double>()); };
+  if (number.contains("value")) return fmt::format("{} [{}, {}]", text(number["value"]), text(low), text(high));
+  if (!low.is_null()) return "at least " + text(low);
+  return high.is_null() ? "not known" : "at most " + text(high);
+}
+
+/// The summary in words, to stdout.
+void print_relight_summary(const Json& summary) {
+  fmt::print("{} frames after {:.3f} s of preparing\n", summary["frames"].get<std::size_t>(),
+             summary["prepare_seconds"].get<double>());
+  fmt::print("  median frame   {:.4f} s relighting, {:.4f} s shading\n", summary["median_seconds"]["relight"].get<double>(),
+             summary["median_seconds"]["shade"].get<double>());
+  if (!summary.contains("path_tracing_seconds_at_equal_error")) return;
+  fmt::print("  path tracing   {} s at equal indirect error\n", bounded_text(summary["path_tracing_seconds_at_equal_error"]));
+  fmt::print("                 {} times the frame\n", bounded_text(summary["path_tracing_over_frame"]));
+  fmt::print("  preparing      is paid for after this many frames: {}\n", bounded_text(summary["frames_that_pay_for_prepare"]));
+}
 
 ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);

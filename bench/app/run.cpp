@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/measuring_options.h"
+#include "bench/app/options.h"
 #include "bench/app/print_json.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"

@@ -2,9 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bench/app/progress_bar.h"
+
 namespace gibench {
 
 void add_verbs(CLI::App& app, Call& call) {
+  call.common.show_progress = show_on_terminal;
   add_list(app, call);
   add_check(app, call);
   add_run(app, call);

@@ -1,10 +1,10 @@
 /// The verbs of the program. Each has a file of its name that adds its options and says what it does.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 
 #include "bench/app/exit_status.h"
+#include "bench/measure/work_options.h"
 
 namespace CLI {
 class App;
@@ -13,10 +13,7 @@ class App;
 namespace gibench {
 
 /// What every verb takes.
-struct CommonOptions {
-  std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: all cores
-  bool quiet = false;
+struct CommonOptions : WorkOptions {
   bool json = false;  ///< the result goes to stdout as one JSON value
 };
 

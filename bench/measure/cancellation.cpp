@@ -1,35 +1,12 @@
 #include "bench/measure/cancellation.h"
 
-#include <csignal>
-
 #include "common/core/error.h"
 
 namespace gibench {
 
-namespace {
-
-std::atomic<bool>* asked_to_stop = nullptr;  // what the signal handler may touch
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-void on_signal(int) {
-  if (asked_to_stop) asked_to_stop->store(true);
-}
-
-}  // namespace
-
 const std::shared_ptr<std::atomic<bool>>& cancellation() {
   static const auto flag = std::make_shared<std::atomic<bool>>(false);
   return flag;
-}
-
-void listen_for_cancellation() {
-  asked_to_stop = cancellation().get();
-  struct sigaction action = {};
-  action.sa_handler = on_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
 }
 
 void stop_if_cancelled() {

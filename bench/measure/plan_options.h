@@ -1,14 +1,10 @@
-/// The command-line options that say what a method may simulate.
+/// What a method may simulate, as it is asked for.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "common/effects/effect_plan.h"
-
-namespace CLI {
-class App;
-}
 
 namespace gibench {
 
@@ -20,11 +16,6 @@ struct PlanOptions {
 
   bool operator==(const PlanOptions&) const = default;
 };
-
-/// --effects and --tolerance
-void add_plan_options(CLI::App& verb, PlanOptions& options);
-/// --light-paths
-void add_light_paths_option(CLI::App& verb, std::string& light_paths);
 
 /// Throws InputError for an unknown effect, the known ones listed, and for a malformed expression.
 PlanLimits limits_of(const PlanOptions& options, std::optional<int> bounces);

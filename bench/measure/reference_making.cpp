@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "bench/app/progress_bar.h"
 #include "bench/measure/cancellation.h"
 #include "bench/measure/run_method.h"
 #include "bench/record/reference_facts.h"
@@ -24,7 +23,7 @@ constexpr std::uint64_t replica_stage = 0x7265706c696361ULL;
 class ReplicaMaker {
  public:
   ReplicaMaker(const LoadedScene& scene, const ReferenceQuestion& question, const MeasuringOptions& measuring,
-               const CommonOptions& common)
+               const WorkOptions& common)
       : scene_(scene),
         question_(question),
         bounces_(measuring.bounces),
@@ -56,7 +55,7 @@ class ReplicaMaker {
     const MethodChoice choice = choose_method(ReferenceMethod::name, {fmt::format("{}={}", ReferenceMethod::samples, count),
                                                                       fmt::format("{}={}", ReferenceMethod::first_sample, first),
                                                                       fmt::format("{}=1", ReferenceMethod::replicates)});
-    CommonOptions own = common_;
+    WorkOptions own = common_;
     own.seed = mix_keys(question_.seed, replica_stage, static_cast<std::uint64_t>(replica));
     own.quiet = true;
     RunLog log({}, true);
@@ -71,7 +70,7 @@ class ReplicaMaker {
   ReferenceQuestion question_;
   std::optional<int> bounces_;
   PlanOptions plan_;
-  CommonOptions common_;
+  WorkOptions common_;
   MeasuringPoints points_;
 };
 
@@ -124,12 +123,12 @@ std::uint64_t whole_samples(std::uint64_t samples, const ReferenceQuestion& ques
 }
 
 void extend_reference(const LoadedScene& scene, const MeasuringOptions& measuring, const ReplicaSet& set,
-                      const ReferenceGoal& goal, const CommonOptions& common, Reference& reference,
+                      const ReferenceGoal& goal, const WorkOptions& common, Reference& reference,
                       const std::function<void(const Reference&)>& after_round) {
   const ReferenceQuestion& question = reference.question;
   const ReplicaMaker maker(scene, question, measuring, common);
   const auto own = static_cast<std::size_t>(set.own());
-  ProgressBar bar("reference of " + scene.scene().name, common.quiet);
+  const std::shared_ptr<Progress> progress = common.progress_of("reference of " + scene.scene().name);
   const ReferenceGoal whole_goal{whole_samples(goal.samples, question), goal.target_error};
   const std::uint64_t begun_with = reference.samples_per_replica;
   while (!reached(whole_goal, scene.scene(), reference)) {
@@ -139,9 +138,9 @@ void extend_reference(const LoadedScene& scene, const MeasuringOptions& measurin
     Reference more{question, after - before, 0.0, {}, {}};
     for (std::size_t i = 0; i < own; ++i) {
       const double in_round = static_cast<double>(i) / static_cast<double>(own);
-      bar.update(fmt::format("{} samples", after),
-                 (static_cast<double>(before - begun_with) + in_round * static_cast<double>(after - before)) /
-                     static_cast<double>(whole_goal.samples - begun_with));
+      progress->update(fmt::format("{} samples", after),
+                       (static_cast<double>(before - begun_with) + in_round * static_cast<double>(after - before)) /
+                           static_cast<double>(whole_goal.samples - begun_with));
       const auto estimates = maker.make(set.shard + static_cast<int>(i) * set.of, before, after - before);
       keep(more.surface, estimates.surface);
       if (estimates.image) keep(more.image, *estimates.image);

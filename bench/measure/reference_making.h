@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "bench/app/verbs.h"
 #include "bench/measure/loaded_scene.h"
 #include "bench/measure/measuring.h"
+#include "bench/measure/work_options.h"
 #include "common/reference/reference_store.h"
 
 namespace gibench {
@@ -40,7 +40,7 @@ struct ReferenceGoal {
 /// `after_round` gets the state after every round: a whole reference, ready to be saved. Throws WorkError where the
 /// method refuses the scene or a stage fails.
 void extend_reference(const LoadedScene& scene, const MeasuringOptions& measuring, const ReplicaSet& set,
-                      const ReferenceGoal& goal, const CommonOptions& common, Reference& reference,
+                      const ReferenceGoal& goal, const WorkOptions& common, Reference& reference,
                       const std::function<void(const Reference&)>& after_round);
 
 /// Every value's paths per replicate come in whole camera rays: the next multiple of pixel_samples.

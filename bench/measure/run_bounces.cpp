@@ -16,7 +16,7 @@ Answers difference(Answers more, const Answers& less) {
 
 /// The method with at most so many reflections; no log, no progress.
 RunOutcome bounded_run(const LoadedScene& scene, const MethodChoice& choice, MeasuringOptions measuring,
-                       const PlanOptions& options, CommonOptions common, int bounces) {
+                       const PlanOptions& options, WorkOptions common, int bounces) {
   measuring.bounces = bounces;
   common.quiet = true;
   RunLog log({}, true);
@@ -27,7 +27,7 @@ RunOutcome bounded_run(const LoadedScene& scene, const MethodChoice& choice, Mea
 
 std::vector<BounceErrors> errors_per_bounce(const LoadedScene& scene, const MethodChoice& choice,
                                             const MeasuringOptions& measuring, const PlanOptions& options,
-                                            const CommonOptions& common, int last, const Exposure& exposure,
+                                            const WorkOptions& common, int last, const Exposure& exposure,
                                             const FindReference& find, std::vector<std::string>& lacking) {
   const SceneEffects effects = analyse_effects(*scene.world, limits_of(options, measuring.bounces));
   const PlannedMethod planned = plan_method(effects, choice, options.light_paths);

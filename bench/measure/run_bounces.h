@@ -19,7 +19,7 @@ using FindReference = std::function<std::optional<Reference>(const std::string& 
 /// added to `lacking`.
 std::vector<BounceErrors> errors_per_bounce(const LoadedScene& scene, const MethodChoice& choice,
                                             const MeasuringOptions& measuring, const PlanOptions& options,
-                                            const CommonOptions& common, int last, const Exposure& exposure,
+                                            const WorkOptions& common, int last, const Exposure& exposure,
                                             const FindReference& find, std::vector<std::string>& lacking);
 
 }  // namespace gibench

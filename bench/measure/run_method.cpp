@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "bench/app/progress_bar.h"
 #include "bench/measure/cancellation.h"
 #include "common/core/error.h"
 #include "common/light_paths/automaton.h"
@@ -42,6 +41,8 @@ std::vector<std::string> completed_components(const Capabilities& can) {
 
 }  // namespace
 
+const MethodEntry& method_named(const std::string& name, const std::string& place) { return find_method(name, place); }
+
 MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings) {
   const MethodEntry& entry = find_method(name);
   std::vector<std::pair<std::string, std::string>> pairs;
@@ -63,13 +64,13 @@ void require_relighting(const MethodChoice& choice, const std::string& place) {
                    known.empty() ? "no method does" : "known to relight: " + known);
 }
 
-Task make_task(const CommonOptions& common, const std::string& title) {
+Task make_task(const WorkOptions& common, const std::string& title) {
   TaskSettings settings;
   settings.seed = common.seed;
   settings.threads = common.threads;
   settings.cancel = cancellation();
-  settings.on_progress = [bar = std::make_shared<ProgressBar>(title, common.quiet)](const ProgressPoint& point) {
-    bar->update(point.step, point.done);
+  settings.on_progress = [shown = common.progress_of(title)](const ProgressPoint& point) {
+    shown->update(point.step, point.done);
   };
   return Task(std::move(settings));
 }
@@ -116,7 +117,7 @@ LitMethod prepare_and_light(const World& world, const MethodChoice& choice, cons
 }
 
 RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
-                      const PlanOptions& options, const CommonOptions& common, RunLog& log) {
+                      const PlanOptions& options, const WorkOptions& common, RunLog& log) {
   const World& world = *scene.world;
   const std::string& name = choice.entry->name;
   const int threads = common.threads > 0 ? common.threads : hardware_threads();

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "bench/app/verbs.h"
 #include "bench/measure/loaded_scene.h"
 #include "bench/measure/measuring.h"
 #include "bench/measure/plan_options.h"
 #include "bench/measure/run_log.h"
+#include "bench/measure/work_options.h"
 #include "bench/record/run_record.h"
 #include "common/effects/scene_effects.h"
 #include "common/method/method.h"
@@ -22,6 +22,9 @@ struct MethodChoice {
   const MethodEntry* entry = nullptr;
   Parameters parameters;
 };
+
+/// The method of this name. Throws InputError, the known ones listed; `place` is where it is named.
+const MethodEntry& method_named(const std::string& name, const std::string& place);
 
 /// `settings` are "name=value" texts as of --set. Throws InputError for what is unknown, out of range or no setting.
 MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings);
@@ -53,8 +56,8 @@ struct LitMethod : PlannedMethod {
 LitMethod prepare_and_light(const World& world, const MethodChoice& choice, const PlanOptions& options,
                             std::optional<int> bounces, Task& task, RunLog& log);
 
-/// A task of the common options, with cancellation, and a progress line that names what works.
-Task make_task(const CommonOptions& common, const std::string& title);
+/// A task of these options, with cancellation, and progress under a title that names what works.
+Task make_task(const WorkOptions& common, const std::string& title);
 
 struct RunOutcome {
   RunRecord record;
@@ -62,6 +65,6 @@ struct RunOutcome {
   std::optional<Answers> image;
 };
 RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
-                      const PlanOptions& options, const CommonOptions& common, RunLog& log);
+                      const PlanOptions& options, const WorkOptions& common, RunLog& log);
 
 }  // namespace gibench

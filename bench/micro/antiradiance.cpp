@@ -9,10 +9,10 @@
 
 #include "bench/micro/cpu_clock.h"
 #include "bench/micro/peak_memory.h"
+#include "common/scene/made_scenes.h"
 #include "methods/antiradiance/accessibility.h"
 #include "methods/antiradiance/discretisation.h"
 #include "methods/antiradiance/refinement.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::micro {
 namespace {
@@ -66,7 +66,7 @@ class Scaling {
 /// near pairs, rays or direction masks cost is not in it (see whole_linking).
 void links(benchmark::State& state, Facing facing) {
   Task task = task_with(2);
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Discretisation parts(world, settings_for(16384), task);
   Scaling scaling;
   double made = 0.0, pairs = 0.0;
@@ -87,7 +87,7 @@ BENCHMARK_CAPTURE(links, both_sides, Facing::both)->Iterations(5)->UseRealTime()
 /// near pairs, and masks).
 void whole_linking(benchmark::State& state, Visibility visibility) {
   Task task = task_with(2);
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Settings settings = settings_for(4096);
   const Discretisation parts(world, settings, task);
   Scaling scaling;
@@ -106,7 +106,7 @@ BENCHMARK_CAPTURE(whole_linking, antiradiance, Visibility::antiradiance)->UseRea
 void memory(benchmark::State& state) {
   for (auto _ : state) {
     Task task = task_with(2);
-    const World world(test::box_scene());
+    const World world(made::box_scene());
     const Settings settings = settings_for(16384);
     const PeakMemory at_start;
     const Discretisation parts(world, settings, task);
@@ -149,7 +149,7 @@ double exponent(const std::vector<double>& sizes, const std::vector<double>& cos
 /// Two passes over 1 k to `range(0)` k elements, four times as many each: `exponent_of_seconds` and `exponent_of_blockers` are
 /// fitted to all sizes; n log n alone would give about 1.1.
 void accessibility(benchmark::State& state) {
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   for (auto _ : state) {
     std::vector<double> sizes, seconds, blockers;
     for (std::int64_t elements = 1024; elements <= state.range(0) * 1024; elements *= 4) {
@@ -172,7 +172,7 @@ BENCHMARK(accessibility)->Arg(16)->Arg(256)->ArgName("thousands")->Iterations(1)
 /// The hierarchy alone at 64 k elements on one and two threads.
 void hierarchy(benchmark::State& state) {
   Task task = task_with(2);
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Discretisation parts(world, settings_for(65536, false), task);
   Scaling scaling;
   for (auto _ : state) scaling.run([&](Task& on) { benchmark::DoNotOptimize(Hierarchy(parts.elements, {}, on).size()); });
@@ -183,7 +183,7 @@ BENCHMARK(hierarchy)->UseRealTime()->Unit(benchmark::kMillisecond);
 /// Everything before the links, from 4 k to 256 k elements: CPU seconds of the whole discretisation with its rays, and of the
 /// hierarchy; both should grow as n log n.
 void discretisation(benchmark::State& state) {
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   for (auto _ : state) {
     std::vector<double> sizes, whole, tree;
     for (std::int64_t elements = 4096; elements <= 262144; elements *= 4) {

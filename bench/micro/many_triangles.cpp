@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench::micro {
 
@@ -23,7 +23,7 @@ Vec3 bumpy_point(std::uint32_t ring, std::uint32_t segment, float phase) {
 }
 
 /// Two poles and rings of quads between fans of triangles.
-void add_sphere(test::SceneBuilder& builder, std::uint32_t material, const Vec3& centre, float radius, std::uint32_t number) {
+void add_sphere(made::SceneBuilder& builder, std::uint32_t material, const Vec3& centre, float radius, std::uint32_t number) {
   const auto phase = static_cast<float>(number);
   const auto at = [](std::uint32_t ring, std::uint32_t segment) { return 1 + (ring - 1) * segments + segment % segments; };
   std::vector<Vec3> vertices{centre + radius * bumpy_point(0, 0, phase)};
@@ -45,7 +45,7 @@ void add_sphere(test::SceneBuilder& builder, std::uint32_t material, const Vec3&
 }  // namespace
 
 Scene bumpy_spheres() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   const std::uint32_t lamp = builder.diffuse("lamp", Rgb(0.0F), Rgb(10.0F));
   builder.room("room", white, Vec3(0.0F), Vec3(1.0F));

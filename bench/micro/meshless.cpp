@@ -10,8 +10,8 @@
 #include "bench/micro/method_timing.h"
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
+#include "common/scene/made_scenes.h"
 #include "methods/registry.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::micro {
 namespace {
@@ -30,7 +30,7 @@ struct Arena {
 };
 
 const Arena& arena(bool many) {
-  static const Arena spheres(bumpy_spheres()), box(test::box_scene());
+  static const Arena spheres(bumpy_spheres()), box(made::box_scene());
   return many ? spheres : box;
 }
 

@@ -11,8 +11,8 @@
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/scene/made_scenes.h"
 #include "methods/registry.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::micro {
 namespace {
@@ -35,7 +35,7 @@ struct Arena {
 };
 
 const Arena& arena(bool many) {
-  static const Arena spheres(bumpy_spheres()), box(test::box_scene());
+  static const Arena spheres(bumpy_spheres()), box(made::box_scene());
   return many ? spheres : box;
 }
 

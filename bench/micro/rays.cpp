@@ -11,7 +11,7 @@
 #include "bench/micro/interleaved.h"
 #include "bench/micro/many_triangles.h"
 #include "common/ray/ray_stream.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench::micro {
 namespace {
@@ -36,7 +36,7 @@ struct Arena {
 
 /// Made once, at the first benchmark that asks for it.
 const Arena& arena(bool many) {
-  static const Arena spheres(bumpy_spheres()), box(test::box_scene());
+  static const Arena spheres(bumpy_spheres()), box(made::box_scene());
   return many ? spheres : box;
 }
 

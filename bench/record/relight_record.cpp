@@ -1,7 +1,5 @@
 #include "bench/record/relight_record.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -26,15 +24,6 @@ Json bounded_json(const Bounded& number) {
   if (number.value) json["value"] = *number.value;
   json["ci95"] = {or_null(number.low), or_null(number.high)};
   return json;
-}
-
-/// "3.1 [2.5, 4.2]"; "at least 2.5" or "at most 4.2" where the noise hides the rest.
-std::string bounded_text(const Json& number) {
-  const Json &low = number["ci95"][0], &high = number["ci95"][1];
-  const auto text = [](const Json& end) { return end.is_null() ? std::string("–") : fmt::format("{:.3g}", end.get<double>()); };
-  if (number.contains("value")) return fmt::format("{} [{}, {}]", text(number["value"]), text(low), text(high));
-  if (!low.is_null()) return "at least " + text(low);
-  return high.is_null() ? "not known" : "at most " + text(high);
 }
 
 }  // namespace
@@ -72,17 +61,6 @@ Json relight_summary_json(double prepare_seconds, const std::vector<RelitFrame>&
   json["path_tracing_over_frame"] = bounded_json(times_cheaper(path_tracing, frame));
   json["frames_that_pay_for_prepare"] = bounded_json(frames_that_pay(prepare_seconds, frame, path_tracing));
   return json;
-}
-
-void print_relight_summary(const Json& summary) {
-  fmt::print("{} frames after {:.3f} s of preparing\n", summary["frames"].get<std::size_t>(),
-             summary["prepare_seconds"].get<double>());
-  fmt::print("  median frame   {:.4f} s relighting, {:.4f} s shading\n", summary["median_seconds"]["relight"].get<double>(),
-             summary["median_seconds"]["shade"].get<double>());
-  if (!summary.contains("path_tracing_seconds_at_equal_error")) return;
-  fmt::print("  path tracing   {} s at equal indirect error\n", bounded_text(summary["path_tracing_seconds_at_equal_error"]));
-  fmt::print("                 {} times the frame\n", bounded_text(summary["path_tracing_over_frame"]));
-  fmt::print("  preparing      is paid for after this many frames: {}\n", bounded_text(summary["frames_that_pay_for_prepare"]));
 }
 
 }  // namespace gibench

@@ -26,7 +26,5 @@ struct RelitFrame {
 nlohmann::ordered_json relit_frame_json(const RelitFrame& frame);
 /// Medians over the frames, one at least; what path tracing takes for their error where they were compared.
 nlohmann::ordered_json relight_summary_json(double prepare_seconds, const std::vector<RelitFrame>& frames);
-/// The same in words, to stdout.
-void print_relight_summary(const nlohmann::ordered_json& summary);
 
 }  // namespace gibench

@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure/measuring.h"
 #include "bench/record/reference_facts.h"
+#include "common/effects/effect_plan.h"
+#include "common/method/parameters.h"
+#include "common/method/stage_report.h"
 #include "common/metrics/errors.h"
+#include "common/reference/reference_store.h"
 
 namespace gibench {
 

@@ -14,7 +14,6 @@
 #include <fstream>
 #include <thread>
 
-#include "bench/app/child_guard.h"
 #include "bench/measure/cancellation.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"

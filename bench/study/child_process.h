@@ -9,6 +9,9 @@
 
 namespace gibench {
 
+/// Name of the environment variable with which a study tells its children its process id.
+inline constexpr const char* parent_variable = "GIBENCH_STUDY_PROCESS";
+
 struct ChildLimits {
   std::optional<double> seconds;       ///< wall clock
   std::optional<std::uint64_t> bytes;  ///< resident memory

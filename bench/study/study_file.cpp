@@ -27,13 +27,7 @@ using nlohmann::json;
 std::string setting_text(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
 const MethodEntry& method_at(const json& value, const JsonPlace& place) {
-  const auto name = value.get<std::string>();
-  std::string known;
-  for (const MethodEntry& entry : all_methods()) {
-    if (entry.name == name) return entry;
-    known += (known.empty() ? "" : ", ") + entry.name;
-  }
-  throw InputError(place.text(), fmt::format("unknown method '{}'", name), "known: " + known);
+  return method_named(value.get<std::string>(), place.text());
 }
 
 using Setting = std::pair<std::string, std::string>;

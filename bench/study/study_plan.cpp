@@ -52,7 +52,7 @@ std::vector<PlannedRelight> plan_relights(const Study& study) {
   return planned;
 }
 
-std::string run_key(const Study& study, const PlannedRun& run, const CommonOptions& common, const std::string& scene_key,
+std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key,
                     const std::string& reference_state) {
   KeyBuilder key;
   key.add(version()).add(commit()).add(scene_key).add(reference_state);
@@ -67,7 +67,7 @@ std::string run_key(const Study& study, const PlannedRun& run, const CommonOptio
   return key.hex();
 }
 
-std::string relight_key(const StudyRelight& relight, const CommonOptions& common, const std::string& scene_key,
+std::string relight_key(const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
                         const std::string& lights) {
   KeyBuilder key;
   key.add(version()).add(commit()).add(scene_key).add(lights).add(relight.method);

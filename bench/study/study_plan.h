@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/verbs.h"
+#include "bench/measure/work_options.h"
 #include "bench/study/study_file.h"
 
 namespace gibench {
@@ -27,11 +27,11 @@ std::vector<PlannedRelight> plan_relights(const Study& study);
 
 /// What a finished run is known by: another key means that its result is not that of this study any more. Hash of the
 /// program's version and commit, scene, method, parameters, seed, threads, where it is measured, and the reference.
-std::string run_key(const Study& study, const PlannedRun& run, const CommonOptions& common, const std::string& scene_key,
+std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key,
                     const std::string& reference_state);
 
 /// The same of a relighting; `lights` is the text of its light path.
-std::string relight_key(const StudyRelight& relight, const CommonOptions& common, const std::string& scene_key,
+std::string relight_key(const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
                         const std::string& lights);
 
 /// The folders of a study's results.

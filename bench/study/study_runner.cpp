@@ -93,7 +93,7 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-StudyRunner::StudyRunner(const Study& study, StudySettings settings, const CommonOptions& common)
+StudyRunner::StudyRunner(const Study& study, StudySettings settings, const WorkOptions& common)
     : study_(study),
       settings_(std::move(settings)),
       common_(common),
@@ -101,7 +101,7 @@ StudyRunner::StudyRunner(const Study& study, StudySettings settings, const Commo
       runs_(plan_runs(study)),
       relights_(plan_relights(study)),
       scenes_(study.scenes.size()),
-      bar_(std::make_unique<ProgressBar>("study " + study.name, common.quiet)),
+      progress_(common.progress_of("study " + study.name)),
       created_(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))) {}
 StudyRunner::~StudyRunner() = default;
 
@@ -193,7 +193,7 @@ void StudyRunner::run_all() {
       own.emplace_back([this, i] { relight_one(relights_[i]); });
   due_ = own.size();
   for_each_job(settings_.jobs, own.size(), [&](std::size_t i) { own[i](); });
-  bar_->wipe();
+  progress_->hide();
 }
 
 void StudyRunner::run_for(const std::string& id, const std::string& key,
@@ -292,7 +292,7 @@ void StudyRunner::record(const std::string& id, const ChildResult& child_result,
                    reason));
   {
     const std::lock_guard lock(terminal_);
-    bar_->update("", static_cast<double>(finished) / static_cast<double>(due_));
+    progress_->update("", static_cast<double>(finished) / static_cast<double>(due_));
   }
   write_manifest();
 }
@@ -306,8 +306,7 @@ bool StudyRunner::is_kept(const std::string& id, const std::string& key) const {
 
 void StudyRunner::tell(const std::string& line) {
   const std::lock_guard lock(terminal_);
-  bar_->wipe();
-  if (!common_.quiet) fmt::print(stderr, "{}\n", line);
+  progress_->note(line);
 }
 
 }  // namespace gibench

@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/progress_bar.h"
-#include "bench/app/verbs.h"
+#include "bench/measure/work_options.h"
 #include "bench/study/child_process.h"
 #include "bench/study/shard.h"
 #include "bench/study/study_file.h"
@@ -42,7 +41,7 @@ std::optional<nlohmann::ordered_json> read_json_if_there(const std::filesystem::
 /// tried again.
 class StudyRunner {
  public:
-  StudyRunner(const Study& study, StudySettings settings, const CommonOptions& common);
+  StudyRunner(const Study& study, StudySettings settings, const WorkOptions& common);
   ~StudyRunner();
 
   /// Throws InputError for a scene that is wrong, WorkError where the user asked to stop. What runs do is recorded.
@@ -86,12 +85,12 @@ class StudyRunner {
 
   const Study& study_;
   StudySettings settings_;
-  CommonOptions common_;
+  WorkOptions common_;
   StudyFolders folders_;
   std::vector<PlannedRun> runs_;
   std::vector<PlannedRelight> relights_;  ///< after the runs in the order of the shards
   std::vector<SceneState> scenes_;
-  std::unique_ptr<ProgressBar> bar_;
+  std::shared_ptr<Progress> progress_;
   std::string created_;
   std::mutex terminal_;
   mutable std::mutex manifest_;

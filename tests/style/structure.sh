@@ -2,14 +2,27 @@
 # The house: size of files, and who includes whom.
 source "$(dirname "${BASH_SOURCE[0]}")/files.sh"
 
+all_files=$(own_files)
+own_files() { printf '%s\n' "$all_files"; }  # looked up once
+
 longest=400  # lines
+# The folders of common/ from the ground to the roof: each includes only itself and those before it.
+common_order=(core json image light_paths scene scene_io metrics reference reflectance ray geometry lighting effects
+  finite_elements method)
 
 check_length() {
-  while read -r file; do
-    local lines
-    lines=$(wc -l < "$file")
-    if [ "$lines" -gt "$longest" ]; then fault "$file: $lines lines; a file holds one idea in at most $longest"; fi
-  done < <(own_files | grep -E '\.(cpp|h|cmake|sh|js|mjs|css|html)$|CMakeLists\.txt$' | grep -v '^reports/vendor/')
+  local found
+  found=$(own_files | grep -E '\.(cpp|h|cmake|sh|js|mjs|css|html)$|CMakeLists\.txt$' | grep -v '^reports/vendor/' |
+    xargs -r awk -v longest=$longest 'FNR == longest + 1 { print FILENAME }')
+  if [ -n "$found" ]; then fault "$found"$'\n'"  longer than $longest lines; a file holds one idea"; fi
+}
+
+check_headers() {
+  local found
+  found=$(source_files | grep '\.h$' | xargs -r grep -L '^#pragma once' || true)
+  if [ -n "$found" ]; then fault "$found"$'\n'"  a header starts with #pragma once"; fi
+  found=$(source_files | grep '\.h$' | xargs -r awk 'FNR == 1 && !/^\/\/\// { print FILENAME }')
+  if [ -n "$found" ]; then fault "$found"$'\n'"  a header's first line says what it holds (/// ...)"; fi
 }
 
 # forbid WHERE PATTERN WHY [EXCEPT]: no source file under WHERE includes a path that matches.
@@ -17,6 +30,21 @@ forbid() {
   local found
   found=$(source_files | grep -E "^($1)" | grep -vE "^(${4:-$})" |
     xargs -r grep -nE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" || true)
+  if [ -n "$found" ]; then fault "$found"$'\n'"  $3"; fi
+}
+
+# sees WHERE ALLOWED WHY: what a source file under WHERE includes of the project matches ALLOWED.
+sees() {
+  local found
+  found=$(source_files | grep -E "^$1/" | xargs -r grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"[a-z]+/' /dev/null |
+    grep -vE "include[[:space:]]*\"($2)" || true)
+  if [ -n "$found" ]; then fault "$found"$'\n'"  $3"; fi
+}
+
+# links WHERE FORBIDDEN WHY: no CMakeLists.txt under WHERE names a library gibench_… that matches.
+links() {
+  local found
+  found=$(own_files | grep -E "^$1/(.*/)?CMakeLists\.txt$" | xargs -r grep -nE "gibench_($2)\b" /dev/null || true)
   if [ -n "$found" ]; then fault "$found"$'\n'"  $3"; fi
 }
 
@@ -31,25 +59,61 @@ check_methods() {
   done
 }
 
+check_common() {
+  local folder i later
+  for folder in common/*/; do
+    folder=$(basename "$folder")
+    if [[ " ${common_order[*]} " != *" $folder "* ]]; then
+      fault "common/$folder: has no place in the order of common/ (common_order in tests/style/structure.sh, CONTRIBUTING.md)"
+    fi
+  done
+  for ((i = 0; i + 1 < ${#common_order[@]}; ++i)); do
+    later=$(IFS='|' && echo "${common_order[*]:i+1}")
+    forbid "common/${common_order[i]}/" "common/($later)/" "common/${common_order[i]} stands below what it includes"
+  done
+}
+
+check_rooms() {
+  sees bench/record '(bench/record|common)/' "records see only common"
+  sees bench/measure '(bench/(measure|record)|methods|common)/' "measuring sees only records, methods and common"
+  sees bench/study '(bench/(study|measure|record)|common)/' "studies see only measuring, records and common"
+  sees bench/micro '(bench/micro|methods|common)/' "micro-benchmarks see only methods and common"
+  sees reports '(reports|bench/record|common)/' "reports see only records and common"
+  links bench/record '(methods|pathtracer|meshless|spectral|antiradiance|measure|study|app|report)' "records see only common"
+  links bench/measure '(study|app|report)' "measuring sees only records, methods and common"
+  links bench/study '(methods|app|report)' "studies see only measuring, records and common"
+  links bench/micro '(app|study|measure|record|report|test_[a-z]+)' "micro-benchmarks see only methods and common"
+  links reports '(methods|measure|study|app)' "reports see only records and common"
+}
+
+# Signals are the program's: what lies below asks whether it is to stop. The process executor ends its children.
+check_signals() {
+  local found
+  forbid '(common|methods|bench|reports|scenes)/' '(csignal|signal\.h|sys/prctl\.h)' "only bench/app touches signals" \
+    'bench/app/|bench/study/child_process\.cpp'
+  found=$(source_files | grep -E '^(common|methods|bench|reports|scenes)/' | grep -v '^bench/app/' |
+    xargs -r grep -nE '\b(sigaction|sigprocmask|pthread_sigmask|prctl|signal)[[:space:]]*\(' /dev/null || true)
+  if [ -n "$found" ]; then fault "$found"$'\n'"  only bench/app touches signals"; fi
+}
+
 check_length
-forbid 'common/' '(methods|bench|tests|scenes)/' "common knows no method, no program, no test"
-forbid 'methods/' '(bench|tests|scenes)/' "methods know neither the program nor the tests"
-forbid 'bench/' 'tests/' "the program knows no tests" 'bench/micro/'
-forbid '(common|methods|bench|scenes|tests)/' 'embree' "only the Embree backend sees Embree" \
+check_headers
+forbid 'common/' '(methods|bench|reports|tests|scenes)/' "common knows no method, no program, no test"
+forbid 'methods/' '(bench|reports|tests|scenes)/' "methods know neither the program nor the tests"
+forbid '(bench|reports)/' 'tests/' "the program knows no tests"
+forbid '(common|methods|bench|reports|scenes|tests)/' 'CLI/' "only bench/app sees the command line" 'bench/app/'
+forbid '(common|methods|bench|reports|scenes|tests)/' 'embree' "only the Embree backend sees Embree" \
   'common/ray/embree/embree_backend\.cpp|bench/micro/bare_embree\.cpp'
-forbid '(common|methods|bench|scenes|tests)/' 'common/ray/embree/' "rays go through the interface of the ray backends" \
+forbid '(common|methods|bench|reports|scenes|tests)/' 'common/ray/embree/' "rays go through the interface of the ray backends" \
   'common/ray/embree/|common/ray/world\.cpp|tests/common/ray/'
 forbid 'common/ray/embree/' 'common/ray/(ray_stream|world)' "a backend knows rays and triangles, not worlds"
-forbid '(common|methods|bench|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
-forbid '(common|methods|bench|scenes|tests)/' '[a-z]mmintrin' "only common/core sees the processor's own instructions" 'common/core/'
-check_methods
-
-while read -r file; do
-  if ! grep -q '^#pragma once' "$file"; then fault "$file: a header starts with #pragma once"; fi
-  if ! head -n 1 "$file" | grep -q '^///'; then fault "$file: a header's first line says what it holds (/// ...)"; fi
-done < <(source_files | grep '\.h$')
-
+forbid '(common|methods|bench|reports|scenes|tests)/' '[a-z]mmintrin' "only common/core sees the processor's own instructions" 'common/core/'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'assimp/' "only common/scene_io/assimp sees Assimp" \
   'common/scene_io/assimp/|scenes/generators/'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'valijson/' "only common/json sees Valijson" 'common/json/'
+forbid '(common|methods|bench|reports|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
+check_common
+check_rooms
+check_signals
+check_methods
 finish

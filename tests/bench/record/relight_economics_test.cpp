@@ -1,4 +1,4 @@
-/// What a relit frame is worth, by hand-made numbers; and the refusal of a method that does not relight.
+/// What a relit frame is worth, by hand-made numbers.
 #include "bench/record/relight_economics.h"
 
 #include <gmock/gmock.h>
@@ -6,14 +6,12 @@
 
 #include <cmath>
 
-#include "bench/measure/run_method.h"
 #include "common/core/error.h"
 #include "common/core/random.h"
 
 namespace gibench {
 namespace {
 
-using testing::HasSubstr;
 using testing::Optional;
 
 ErrorValue error(double value, double low, double high) { return {value, low, high, 0.001, false}; }
@@ -100,36 +98,6 @@ TEST(Medians, TakeWhatIsAbsentAsLarger) {
   EXPECT_EQ(median_of(mostly_hidden).value, std::nullopt);
   EXPECT_THAT(median_of(mostly_hidden).low, Optional(3.0));
 }
-
-/// A method for which new lights cost as much as a new scene; it is never asked for light.
-class Unrelighting : public TransportMethod {
- public:
-  Capabilities capabilities() const noexcept override { return {}; }
-
- private:
-  void do_prepare(Task&, StageReport&) override {}
-  void do_light(const Lighting&, Task&, StageReport&) override {}
-  void do_shade(const ShadeRequest&, const ShadeAnswer&, Task&, StageReport&) const override {}
-};
-
-TEST(Relighting, IsRefusedForAMethodThatDoesNotClaimIt) {
-  const MethodEntry entry{
-      "baked", "a double",
-      "none",  "C.*[LOB]",
-      {},      [](const Parameters&) -> std::unique_ptr<TransportMethod> {
-                            return std::make_unique<Unrelighting>(); },
-      {}};
-  try {
-    require_relighting({&entry, Parameters(entry.schema, {})});
-    FAIL() << "it was taken";
-  } catch (const InputError& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("--method"));
-    EXPECT_THAT(refused.what(), HasSubstr("baked does not relight"));
-    EXPECT_THAT(refused.what(), HasSubstr("spectral")) << "those that do are named";
-  }
-}
-
-TEST(Relighting, IsOpenToAMethodThatClaimsIt) { EXPECT_NO_THROW(require_relighting(choose_method("spectral", {}))); }
 
 }  // namespace
 }  // namespace gibench

@@ -1,4 +1,4 @@
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
@@ -7,7 +7,7 @@
 #include "common/core/random.h"
 #include "common/scene/tessellate.h"
 
-namespace gibench::test {
+namespace gibench::made {
 
 namespace {
 
@@ -175,4 +175,4 @@ Scene random_triangles(std::size_t count, float extent, float size, std::uint64_
   return builder.build("random triangles");
 }
 
-}  // namespace gibench::test
+}  // namespace gibench::made

@@ -1,7 +1,8 @@
-/// The command-line options that say where methods are asked, the same for every verb that asks them.
+/// The command-line options that several verbs share: where methods are asked, and what they may simulate.
 #pragma once
 
 #include "bench/measure/measuring.h"
+#include "bench/measure/plan_options.h"
 
 namespace CLI {
 class App;
@@ -13,6 +14,10 @@ namespace gibench {
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options);
 /// --bounces alone
 void add_bounces_option(CLI::App& verb, std::optional<int>& bounces);
+/// --effects and --tolerance
+void add_plan_options(CLI::App& verb, PlanOptions& options);
+/// --light-paths
+void add_light_paths_option(CLI::App& verb, std::string& light_paths);
 
 /// The options as they would be written after `gibench reference SCENE`, those at their defaults left out.
 std::string command_line_of(const MeasuringOptions& options);

@@ -1,4 +1,4 @@
-#include "bench/app/measuring_options.h"
+#include "bench/app/options.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +30,21 @@ void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {
   verb.add_flag_callback(
       "--no-pictures", [&options] { options.pictures = false; }, "Surface samples alone, no camera picture");
   add_bounces_option(verb, options.bounces);
+}
+
+void add_plan_options(CLI::App& verb, PlanOptions& options) {
+  verb.add_option("--effects", options.effects,
+                  "Effects that may be simulated, commas between; see gibench list effects. none: nothing; without it: all")
+      ->take_last();
+  verb.add_option("--tolerance", options.tolerance,
+                  "Share of the light that bounces left out of the plan may hold; 0: none is left out")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+void add_light_paths_option(CLI::App& verb, std::string& light_paths) {
+  verb.add_option("--light-paths", light_paths,
+                  "Only these paths, an expression such as C.{0,1}[LOB]|CDD+[LOB]; without it: all");
 }
 
 std::string command_line_of(const MeasuringOptions& options) {
