@@ -14,7 +14,6 @@
 #include "common/json/json_place.h"
 #include "common/json/json_schema.h"
 #include "common/json/json_text.h"
-#include "methods/registry.h"
 
 namespace gibench {
 
