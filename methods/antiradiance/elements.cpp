@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/core/sampling.h"
+#include "common/finite_elements/inside_geometry.h"
 
 namespace gibench::antiradiance {
 
@@ -34,13 +35,11 @@ Vec3 point_of(const CellPart& part, Vec2 at) {
 }  // namespace
 
 bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays) {
+  if (count == 0) return true;
   const Frame frame(normal);
-  for (int ray = 0; ray < count; ++ray) {
-    const Vec3 direction = frame.to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
-    const Hit hit = rays.closest_hit({origin, 0.0F, direction});
-    if (!hit || world.sample_of_hit(hit, direction).lit_side) return true;
-  }
-  return count == 0;
+  return !all_meet_black_backs(world, origin, 0, count, rays, [&](int) {
+    return frame.to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
+  });
 }
 
 Elements::Elements(const World& world, const SamplingMesh& mesh, int points, int backface_rays, Task& task)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "common/finite_elements/bounce_series.h"
+
 namespace gibench::antiradiance {
 
 /// I − M as a matrix without entries.
@@ -138,8 +140,7 @@ class Solver {
 
   void tell(const char* what, int number, double residual) {
     outcome_.residual = residual;
-    const double share = residual > 0.0 ? std::log(std::min(1.0, residual)) / std::log(rule_.residual) : 1.0;
-    task_.progress(fmt::format("{} {}", what, number), std::clamp(share, 0.0, 1.0), residual);
+    task_.progress(fmt::format("{} {}", what, number), progress_of(residual, rule_.residual), residual);
   }
 
   bool series() {

@@ -1,6 +1,7 @@
 #include "methods/antiradiance/sources.h"
 
 #include "common/core/random.h"
+#include "common/finite_elements/surface_point.h"
 
 namespace gibench::antiradiance {
 
@@ -23,12 +24,8 @@ std::vector<Rgb> direct_irradiance(const World& world, const DirectLight& light,
       float count = 0.0F;
       for (std::size_t k = 0; k < points.size(); ++k) {
         if (!points[k].exposed) continue;
-        SurfaceSample sample;
-        sample.position = 0.5F * (points[k].origin + points[k].behind);
-        sample.normal = points[k].normal;
-        sample.triangle = points[k].triangle;
-        sample.object = world.scene().triangle_object[sample.triangle];
-        sample.face = world.scene().triangle_face[sample.triangle];
+        const CellPoint& point = points[k];
+        const SurfaceSample sample = surface_sample(world, point.triangle, 0.5F * (point.origin + point.behind), point.normal);
         sum += light.irradiance(sample, mix_keys(task.seed(), source_stage, element * points.size() + k), samples, rays);
         count += 1.0F;
       }

@@ -1,34 +1,19 @@
 #include "methods/meshless/box_tree.h"
 
-#include <algorithm>
 #include <numeric>
+
+#include "common/finite_elements/compact_order.h"
 
 namespace gibench::meshless {
 
 namespace {
 
-Box box_of(std::span<const Vec3> positions, std::span<const std::uint32_t> order) {
-  Box box;
-  for (std::uint32_t i : order) box.add(positions[i], 0.0F);
-  return box;
-}
-
-/// Orders [begin, end) of `order`, whose pieces are `piece` points long (a power of eight), then each piece.
-void split(std::span<const Vec3> positions, std::span<std::uint32_t> order, std::size_t piece) {
-  if (order.size() <= tree_width) return;
-  while (piece >= order.size()) piece /= tree_width;
-  const std::size_t pieces = (order.size() + piece - 1) / piece;
-  const Box box = box_of(positions, order);
-  const Vec3 size = box.high - box.low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t left = pieces / 2 * piece;
-  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(left), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const float at_a = positions[a][axis], at_b = positions[b][axis];
-                     return at_a != at_b ? at_a < at_b : a < b;
-                   });
-  split(positions, order.first(left), piece);
-  split(positions, order.subspan(left), piece);
+/// As many whole pieces as make a half; pieces are as long as the largest power of the tree's width below the run's size.
+std::size_t half_of_pieces(std::size_t size, std::size_t /*first*/) {
+  if (size <= tree_width) return 0;
+  std::size_t piece = tree_width;
+  while (piece * tree_width < size) piece *= tree_width;
+  return (size + piece - 1) / piece / 2 * piece;
 }
 
 }  // namespace
@@ -36,9 +21,12 @@ void split(std::span<const Vec3> positions, std::span<std::uint32_t> order, std:
 std::vector<std::uint32_t> compact_order(std::span<const Vec3> positions) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::size_t piece = tree_width;
-  while (piece < order.size()) piece *= tree_width;
-  split(positions, order, piece);
+  const auto before = [&](int axis, std::uint32_t a, std::uint32_t b) {
+    const float at_a = positions[a][axis], at_b = positions[b][axis];
+    return at_a != at_b ? at_a < at_b : a < b;
+  };
+  put_neighbours_together(
+      std::span(order), 0, [&](std::uint32_t point) { return positions[point]; }, before, half_of_pieces);
   return order;
 }
 

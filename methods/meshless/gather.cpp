@@ -5,7 +5,11 @@
 #include <cmath>
 
 #include "common/core/random.h"
-#include "methods/meshless/surface_point.h"
+#include "common/core/sampling.h"
+#include "common/core/sobol.h"
+#include "common/finite_elements/morton.h"
+#include "common/finite_elements/surface_point.h"
+#include "methods/meshless/edge_frame.h"
 
 namespace gibench::meshless {
 
@@ -15,35 +19,10 @@ constexpr std::size_t parts = 4;  // of a pattern, to judge the deviation from
 constexpr std::uint64_t turn_stage = 0x7475726eULL;
 constexpr std::uint64_t direct_stage = 0x6869742064697265ULL;
 
-/// The radical inverse in base 2.
-float reversed_bits(std::uint32_t i) {
-  i = (i << 16) | (i >> 16);
-  i = ((i & 0x00ff00ffU) << 8) | ((i & 0xff00ff00U) >> 8);
-  i = ((i & 0x0f0f0f0fU) << 4) | ((i & 0xf0f0f0f0U) >> 4);
-  i = ((i & 0x33333333U) << 2) | ((i & 0xccccccccU) >> 2);
-  i = ((i & 0x55555555U) << 1) | ((i & 0xaaaaaaaaU) >> 1);
-  return static_cast<float>(i) * 0x1p-32F;
-}
-
-/// The concentric map of the unit square onto the unit disc (Shirley and Chiu 1997); keeps strata compact.
-Vec2 to_disc(float u, float v) {
-  const float x = 2.0F * u - 1.0F, y = 2.0F * v - 1.0F;
-  if (x == 0.0F && y == 0.0F) return {0.0F, 0.0F};
-  const bool flat = std::fabs(x) > std::fabs(y);
-  const float radius = flat ? x : y;
-  const float angle = flat ? 0.25F * pi * (y / x) : 0.5F * pi - 0.25F * pi * (x / y);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-/// Interleaves the bits of the cell of a 256 × 256 grid over the disc.
-std::uint32_t morton_number(const Vec3& direction) {
-  const auto spread = [](float x) {
-    auto bits = static_cast<std::uint32_t>(std::clamp(0.5F * (x + 1.0F), 0.0F, 1.0F) * 255.0F);
-    bits = (bits | (bits << 4)) & 0x0f0fU;
-    bits = (bits | (bits << 2)) & 0x3333U;
-    return (bits | (bits << 1)) & 0x5555U;
-  };
-  return spread(direction.x) | spread(direction.y) << 1;
+/// By the cell of a 256 × 256 grid over the disc.
+std::uint64_t along_curve(const Vec3& direction) {
+  const auto cell = [](float x) { return static_cast<std::uint32_t>(std::clamp(0.5F * (x + 1.0F), 0.0F, 1.0F) * 255.0F); };
+  return along_morton_curve(cell(direction.y), cell(direction.x));
 }
 
 /// Mean of the parts' sums and the deviation of that mean, were the parts independent.
@@ -79,12 +58,11 @@ void DirectSender::irradiance(std::span<const SurfaceSample> hits, const Vec3&, 
 
 Gatherer::Gatherer(const World& world, int rays) : world_(world) {
   for (int i = 0; i < rays; ++i) {
-    const Vec2 at =
-        to_disc((static_cast<float>(i) + 0.5F) / static_cast<float>(rays), reversed_bits(static_cast<std::uint32_t>(i)));
-    pattern_.push_back({at.x, at.y, std::sqrt(std::max(0.0F, 1.0F - at.x * at.x - at.y * at.y))});
+    const float radical_inverse = static_cast<float>(reverse_bits(static_cast<std::uint32_t>(i))) * 0x1p-32F;
+    pattern_.push_back(cosine_hemisphere({(static_cast<float>(i) + 0.5F) / static_cast<float>(rays), radical_inverse}));
   }
   std::stable_sort(pattern_.begin(), pattern_.end(),
-                   [](const Vec3& a, const Vec3& b) { return morton_number(a) < morton_number(b); });
+                   [](const Vec3& a, const Vec3& b) { return along_curve(a) < along_curve(b); });
 }
 
 void Gatherer::trace(const SurfaceSample& receiver, std::uint64_t key, RayStream& rays, GatherBuffers& buffers) const {

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "common/core/random.h"
-#include "methods/meshless/surface_point.h"
+#include "common/finite_elements/inside_geometry.h"
+#include "common/finite_elements/surface_point.h"
+#include "methods/meshless/edge_frame.h"
 
 namespace gibench::meshless {
 
@@ -16,10 +18,6 @@ constexpr int radius_rounds = 5;           // at most, to meet the wanted number
 constexpr double radius_tolerance = 0.03;  // of that number
 constexpr int most_placement_rays = 4;     // of the backface test of a proposal; the next one near by is tested anew
 constexpr std::uint64_t direction_stage = 0x6261636b73ULL;
-
-bool meets_back(const World& world, const Hit& hit, const Vec3& direction) {
-  return hit && !world.sample_of_hit(hit, direction).lit_side;
-}
 
 /// A cosine-distributed direction in a local frame about +z.
 Vec3 test_direction(int index) {
@@ -108,12 +106,10 @@ void clear_of_backfaces(const World& world, std::span<const DiscPoint> points, s
     }
     stream.closest_hits(along, hits);
     for (std::size_t i = 0; i < count; ++i) {
-      bool inside = meets_back(world, hits[i], along[i].direction);
       const Frame frame = frame_along_edge(world, points[range.begin + i].side.triangle, along[i].direction);
-      for (int ray = 1; inside && ray < rays; ++ray) {
-        const Vec3 direction = frame.to_world(test_direction(ray));
-        inside = meets_back(world, stream.closest_hit({along[i].origin, 0.0F, direction}), direction);
-      }
+      const bool inside = meets_black_back(world, hits[i], along[i].direction) &&
+                          all_meet_black_backs(world, along[i].origin, 1, rays, stream,
+                                               [&](int ray) { return frame.to_world(test_direction(ray)); });
       clear[range.begin + i] = inside ? 0 : 1;
     }
   });

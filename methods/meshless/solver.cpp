@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "common/core/random.h"
-#include "methods/meshless/surface_point.h"
+#include "common/finite_elements/bounce_series.h"
+#include "common/finite_elements/surface_point.h"
 
 namespace gibench::meshless {
 
@@ -19,7 +20,6 @@ constexpr std::uint64_t direct_stage = 0x64697265637473ULL;
 constexpr std::uint32_t direct_full_level = 2;  // small lights and shadows must not slip between the coarsest samples
 constexpr std::size_t gather_chunk = 4;         // points
 constexpr std::size_t direct_chunk = 64;        // points
-constexpr double least_ratio_left = 1e-6;       // 1 - ratio of two bounces, below which a tail is not summed
 constexpr double gather_noise = 0.03;           // that direct light evaluated at the hits may bring into a gather, of the mean
 constexpr double most_hit_samples = 4.0;        // at a hit, to keep to that; noisier direct light goes through the basis …
 constexpr double point_noise = 0.3;             // … with this much noise at a basis point: a gather sees hundreds of them
@@ -38,7 +38,7 @@ RgbDouble magnitude_mean(const Coefficients& coefficients) {
 /// How far the series has come, from the last two bounces, channel by channel.
 struct Convergence {
   RgbDouble ratio;         ///< of the last bounce to the one before, area means
-  RgbDouble tail_factor;   ///< Σ of all later bounces over the last one, were the ratio to stay: q / (1 - q)
+  RgbDouble tail_factor;   ///< Σ of all later bounces over the last one, were the ratio to stay
   double residual = 0.0;   ///< share of the solution in the bounces left out
   double departure = 0.0;  ///< share of the solution by which that tail would be wrong
 };
@@ -50,7 +50,7 @@ Convergence judge(const Coefficients& last, const Coefficients& before, const Co
   for (int channel = 0; channel < 3; ++channel) {
     if (!(total[channel] > 0.0)) continue;
     const double ratio = before_mean[channel] > 0.0 ? std::max(0.0, last_mean[channel] / before_mean[channel]) : 0.0;
-    const double factor = ratio / std::max(least_ratio_left, 1.0 - ratio);
+    const double factor = ratio / share_lost(ratio);
     double departure = 0.0;
     for (std::uint32_t point = 0; point < count; ++point)
       departure += std::fabs(static_cast<double>(last[point][channel]) - ratio * static_cast<double>(before[point][channel]));
@@ -202,75 +202,64 @@ void add_scaled(Coefficients& sum, const Coefficients& term, const Rgb& factor) 
 }
 
 /// The Neumann series after direct light: i_{j+1} = T i_j, b = Σ i_j.
-class Series {
+class Bounces {
  public:
-  Series(Solver& solver, const Settings& settings, const Wanted& wanted, Task& task)
-      : solver_(solver), settings_(settings), max_bounces_(wanted.max_bounces), channels_(wanted.channels), task_(task) {}
+  Bounces(Solver& solver, const Settings& settings, const Wanted& wanted, Task& task)
+      : solver_(solver),
+        settings_(settings),
+        may_extrapolate_(!wanted.max_bounces && settings.extrapolate),
+        channels_(wanted.channels),
+        task_(task),
+        series_(bound_of(settings, wanted)) {}
 
   void run(const Coefficients* direct, const Hierarchy& hierarchy, Solution& solution) {
-    const int bound = max_bounces_ ? std::min(*max_bounces_, settings_.bounces) : settings_.bounces;
+    const int most = series_.last();
     Coefficients sum(hierarchy, channels_);
-    Coefficients last = direct != nullptr ? solver_.bounce(solver_.sender_of(*direct), 1, bound, 0.0, mean_of(*direct))
-                                          : solver_.bounce(solver_.direct_sender(), 1, bound, 0.0, solver_.direct_mean());
+    Coefficients last = direct != nullptr ? solver_.bounce(solver_.sender_of(*direct), 1, most, 0.0, mean_of(*direct))
+                                          : solver_.bounce(solver_.direct_sender(), 1, most, 0.0, solver_.direct_mean());
     add_scaled(sum, last, Rgb(1.0F));
-    solution.termination = Termination::bound_reached;
-    task_.progress("bounce 1", 1.0 / bound);
-    Convergence state;
-    for (int number = 2; number <= bound && !task_.cancelled(); ++number) {
-      Coefficients next = solver_.bounce(solver_.sender_of(last), number, bound, mean_of(sum), mean_of(last));
+    series_.add();
+    task_.progress("bounce 1", 1.0 / most);
+    while (series_.goes_on() && !task_.cancelled()) {
+      Coefficients next = solver_.bounce(solver_.sender_of(last), series_.next(), most, mean_of(sum), mean_of(last));
       add_scaled(sum, next, Rgb(1.0F));
-      state = judge(next, last, sum);
+      const Convergence state = judge(next, last, sum);
       last = std::move(next);
-      report_progress(number, bound, state.residual);
-      task_.count("bounces", 1);
-      if (converged(state, number, last, sum)) {
-        solution.termination = Termination::converged;
-        break;
+      series_.add(largest(state.ratio), state.residual);
+      task_.progress(fmt::format("bounce {}", series_.bounces()), series_.progress(), state.residual);
+      if (!series_.settled() && tail_is_known(state)) {
+        add_scaled(sum, last, Rgb(state.tail_factor));
+        series_.settle();
       }
     }
-    task_.count("bounces", 1);
-    tell(state, bound, solution);
+    task_.count("bounces", static_cast<std::uint64_t>(series_.bounces()));
+    solution.termination = series_.settled()     ? Termination::converged
+                           : series_.succeeded() ? Termination::bound_reached
+                                                 : Termination::not_converged;
+    solution.message = series_.message();
     task_.count("solution_functions", sum.size());
     solution.indirect.emplace(sum);
   }
 
  private:
+  /// A plan that allows more bounces than are computed bounds nothing.
+  static BounceBound bound_of(const Settings& settings, const Wanted& wanted) {
+    const bool plan_bounds = wanted.max_bounces && *wanted.max_bounces <= settings.bounces;
+    return {plan_bounds ? wanted.max_bounces : std::nullopt, settings.bounces, settings.residual};
+  }
   static double mean_of(const Coefficients& coefficients) { return channel_mean(coarsest_mean(coefficients)); }
 
-  /// Whether the series may end here; adds the tail where it has settled.
-  bool converged(const Convergence& state, int number, const Coefficients& last, Coefficients& sum) const {
-    if (state.residual < settings_.residual) return true;
-    const bool unbounded = !max_bounces_ && settings_.extrapolate;
-    if (!unbounded || number < 3 || largest(state.ratio) > 1.0 - least_ratio_left || !(state.departure < settings_.residual))
-      return false;
-    add_scaled(sum, last, Rgb(state.tail_factor));
-    return true;
-  }
-
-  void report_progress(int number, int bound, double residual) {
-    const double by_bound = static_cast<double>(number) / bound;
-    const double by_residual = residual > 0.0 ? std::log(std::min(1.0, residual)) / std::log(settings_.residual) : 1.0;
-    task_.progress(fmt::format("bounce {}", number), std::clamp(std::max(by_bound, by_residual), 0.0, 1.0), residual);
-  }
-
-  void tell(const Convergence& state, int bound, Solution& solution) const {
-    if (solution.termination != Termination::bound_reached) return;
-    if (max_bounces_ && *max_bounces_ <= settings_.bounces) {
-      solution.message = fmt::format("all {} bounces of the plan computed", bound);
-    } else if (largest(state.ratio) > 1.0 - least_ratio_left) {
-      solution.termination = Termination::not_converged;
-      solution.message = fmt::format("the bounces do not fade (ratio {:.6f}): the scene absorbs no light", largest(state.ratio));
-    } else {
-      solution.message =
-          fmt::format("{} bounces computed, relative residual {:.2e}; raise the parameter bounces", bound, state.residual);
-    }
+  /// Whether the last bounces were so alike that all later ones follow from their ratio.
+  bool tail_is_known(const Convergence& state) const {
+    return may_extrapolate_ && series_.bounces() >= 3 && series_.fades() && state.departure < settings_.residual;
   }
 
   Solver& solver_;
   const Settings& settings_;
-  std::optional<int> max_bounces_;
+  bool may_extrapolate_;
   int channels_;
   Task& task_;
+  BounceSeries series_;
 };
 
 }  // namespace
@@ -286,7 +275,7 @@ Solution solve(const World& world, const Transport& transport, const DirectLight
   }
   if (settings.direct == DirectAnswer::basis) solution.direct.emplace(*direct);
   if (wanted.indirect && !task.cancelled())
-    Series(solver, settings, wanted, task)
+    Bounces(solver, settings, wanted, task)
         .run(solver.first_bounce_from_basis() ? &*direct : nullptr, transport.hierarchy, solution);
   return solution;
 }

@@ -6,19 +6,13 @@
 #include "common/core/error.h"
 #include "common/core/random.h"
 #include "common/core/sobol.h"
+#include "common/finite_elements/morton.h"
 
 namespace gibench::spectral {
 
 namespace {
 
 constexpr std::uint64_t set_stage = 0x726179736574ULL, turn_stage = 0x7475726eULL;
-
-/// The place of a point on the curve that keeps neighbours in the square together (Morton).
-std::uint64_t along_curve(const SobolPair& point) {
-  std::uint64_t key = 0;
-  for (int bit = 31; bit >= 0; --bit) key = (key << 2U) | (((point.x >> bit) & 1U) << 1U) | ((point.y >> bit) & 1U);
-  return key;
-}
 
 /// Columns in, columns out: a loop that the compiler turns into vector instructions.
 void turn_columns(const DirectionSet::Turn& turn, const float* elevation, const float* cosine, const float* sine,
@@ -40,7 +34,8 @@ DirectionSet::DirectionSet(int rays, std::uint64_t seed) {
   const SobolSequence sequence(mix_keys(seed, set_stage));
   std::vector<SobolPair> points;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(rays); ++i) points.push_back(sequence.pair(i, 0));
-  std::sort(points.begin(), points.end(), [](const SobolPair& a, const SobolPair& b) { return along_curve(a) < along_curve(b); });
+  std::sort(points.begin(), points.end(),
+            [](const SobolPair& a, const SobolPair& b) { return along_morton_curve(a.x, a.y) < along_morton_curve(b.x, b.y); });
   for (const SobolPair& point : points) {
     const Vec2 u = point.unit();
     elevation_.push_back(u.x);

@@ -1,7 +1,5 @@
 #include "methods/spectral/relighting.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +8,6 @@ namespace gibench::spectral {
 namespace {
 
 constexpr std::size_t slot_chunk = 4096;
-constexpr double fading = 1.0 - 1e-6;  // ratio of two bounces from which they do not fade
 
 /// Root mean squares over slots.
 struct Change {
@@ -77,33 +74,23 @@ class Frame {
 
 /// Bounce after bounce until the plan's bound, or until those left out hold too little to matter.
 void bounce(const Transfer& transfer, const BounceBound& bound, Frame& frame, Relit& relit, Task& task) {
-  const int last = std::min(bound.planned.value_or(bound.most), bound.most);
+  BounceSeries series(bound);
   std::vector<Rgb4> before(relit.irradiance.size());  // at first no indirect light
   double previous = 0.0;
-  relit.termination = Termination::bound_reached;
-  for (int number = 1; number <= last && !task.cancelled(); ++number) {
+  while (series.goes_on() && !task.cancelled()) {
     std::swap(before, relit.irradiance);
     transfer.one_bounce.multiply(frame.projected(before), relit.irradiance, task);
-    relit.bounces = number;
     const Change change = frame.change_between(before, relit.irradiance);
-    const double ratio = previous > 0.0 ? change.change / previous : fading;
+    const double ratio = previous > 0.0 ? change.change / previous : fading_ratio;
     previous = change.change;
-    relit.residual = change.whole > 0.0 ? change.change / change.whole * ratio / std::max(1.0 - fading, 1.0 - ratio) : 0.0;
-    if (relit.residual < bound.residual) {
-      relit.termination = Termination::converged;
-      return;
-    }
-    if (number == last && number > 1 && ratio > fading && !bound.planned) relit.termination = Termination::not_converged;
+    series.add(ratio, change.whole > 0.0 ? change.change / change.whole * ratio / share_lost(ratio) : 0.0);
   }
-}
-
-void tell(const BounceBound& bound, Relit& relit) {
-  if (relit.termination == Termination::not_converged) relit.message = "the bounces do not fade: the scene absorbs no light";
-  else if (relit.termination == Termination::bound_reached && bound.planned && *bound.planned <= bound.most)
-    relit.message = fmt::format("all {} bounces of the plan computed", *bound.planned);
-  else if (relit.termination == Termination::bound_reached)
-    relit.message =
-        fmt::format("{} bounces computed, relative residual {:.2e}; raise the parameter bounces", relit.bounces, relit.residual);
+  relit.bounces = series.bounces();
+  relit.residual = series.residual();
+  relit.termination = series.settled()     ? Termination::converged
+                      : series.succeeded() ? Termination::bound_reached
+                                           : Termination::not_converged;
+  relit.message = series.message();
 }
 
 }  // namespace
@@ -125,7 +112,6 @@ Relit relight(const Transfer& transfer, std::span<const Rgb4> direct, std::span<
   if (harmonics && !task.cancelled()) {
     frame.gather_harmonics(frame.light(), relit);
   }
-  tell(bound, relit);
   return relit;
 }
 

@@ -1,22 +1,15 @@
 /// A relit frame: project the light, bounce it, reconstruct (Wang et al. 2007, figure 4).
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "common/finite_elements/bounce_series.h"
 #include "common/reflectance/spherical_harmonics.h"
 #include "methods/spectral/transfer.h"
 
 namespace gibench::spectral {
-
-/// When the bounces end.
-struct BounceBound {
-  std::optional<int> planned;  ///< reflections between a light and the surface asked about, at most
-  int most = 1000;             ///< computed
-  double residual = 1e-3;      ///< share of the solution that the bounces left out may hold
-};
 
 struct Relit {
   Termination termination = Termination::done;

@@ -1,4 +1,4 @@
-/// A point on one side of a triangle, as rays start from it and as the other parts of the project see it.
+/// A frame that turns with the scene.
 #pragma once
 
 #include "common/core/vec.h"
@@ -6,17 +6,7 @@
 
 namespace gibench::meshless {
 
-inline SurfaceSample surface_sample(const World& world, std::uint32_t triangle, const Vec3& position, const Vec3& normal) {
-  SurfaceSample sample;
-  sample.position = position;
-  sample.normal = normal;
-  sample.triangle = triangle;
-  sample.object = world.scene().triangle_object[triangle];
-  sample.face = world.scene().triangle_face[triangle];
-  return sample;
-}
-
-/// A frame that turns with the scene: its tangent lies along the triangle's first edge.
+/// Its tangent lies along the triangle's first edge.
 inline Frame frame_along_edge(const World& world, std::uint32_t triangle, const Vec3& normal) {
   Frame frame(normal);
   const auto& corners = world.scene().triangles[triangle].corners;
