@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "methods/antiradiance/bin_transport.h"
+#include "methods/antiradiance/pull.h"
 
 namespace gibench::antiradiance {
 
@@ -60,18 +61,17 @@ void Accessibility::compute(int passes, Task& task) {
 }
 
 void Accessibility::pull() {
-  const auto nodes = hierarchy_.nodes();
-  nodes_.resize(nodes.size() * sectors_);
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    float* row = nodes_.data() + i * sectors_;
-    if (nodes[i].is_leaf()) {
-      std::copy_n(leaves_.data() + nodes[i].begin * sectors_, sectors_, row);
-      continue;
-    }
-    const float share = nodes[i + 1].area / nodes[i].area;
-    const float *left = row + sectors_, *right = nodes_.data() + nodes[i].right * sectors_;
-    for (std::size_t s = 0; s < sectors_; ++s) row[s] = left[s] * share + right[s] * (1.0F - share);
-  }
+  nodes_.resize(hierarchy_.size() * sectors_);
+  from_leaves_up(
+      hierarchy_,
+      [&](std::size_t node, std::size_t leaf) {
+        std::copy_n(leaves_.data() + leaf * sectors_, sectors_, nodes_.data() + node * sectors_);
+      },
+      [&](std::size_t node, std::size_t left, std::size_t right, float share) {
+        const float *a = nodes_.data() + left * sectors_, *b = nodes_.data() + right * sectors_;
+        float* row = nodes_.data() + node * sectors_;
+        for (std::size_t s = 0; s < sectors_; ++s) row[s] = mean_by_area(a[s], b[s], share);
+      });
 }
 
 void Accessibility::Blocked::start() {

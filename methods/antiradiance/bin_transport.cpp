@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "methods/antiradiance/pull.h"
+
 namespace gibench::antiradiance {
 
 namespace {
@@ -109,18 +111,17 @@ void BinTransport::local_pass(const Vector& arriving, const LocalRule& rule, Tas
   });
 }
 
-/// Bin by bin, from the leaves up: radiance of a node is its children's mean by area.
+/// Bin by bin, from the leaves up.
 void BinTransport::pull(Task& task) {
-  const auto nodes = hierarchy_.nodes();
   task.parallel_chunks(bins_.count(), bin_chunk, [&](const ChunkRange& range) {
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      if (nodes[i].is_leaf()) continue;
-      const float share = nodes[i + 1].area / nodes[i].area;
-      const Light4 *left = exitant(i + 1), *right = exitant(nodes[i].right);
-      Light4* out = exitant(i);
-      for (std::size_t b = range.begin; b < range.end; ++b)
-        for (std::size_t c = 0; c < 4; ++c) out[b].v[c] = left[b].v[c] * share + right[b].v[c] * (1.0F - share);
-    }
+    from_leaves_up(
+        hierarchy_, [](std::size_t, std::size_t) {},
+        [&](std::size_t node, std::size_t left, std::size_t right, float share) {
+          const Light4 *a = exitant(left), *b = exitant(right);
+          Light4* out = exitant(node);
+          for (std::size_t bin = range.begin; bin < range.end; ++bin)
+            for (std::size_t c = 0; c < 4; ++c) out[bin].v[c] = mean_by_area(a[bin].v[c], b[bin].v[c], share);
+        });
   });
 }
 

@@ -49,14 +49,13 @@ Discretisation::Discretisation(const World& world, const Settings& settings, Tas
                 task),
       reconstruction(world, mesh, elements) {}
 
-std::vector<float> pull(const Hierarchy& hierarchy, std::span<const float> leaves) {
-  const auto nodes = hierarchy.nodes();
-  std::vector<float> values(nodes.size());
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    const float share = nodes[i].is_leaf() ? 0.0F : nodes[i + 1].area / nodes[i].area;
-    values[i] = nodes[i].is_leaf() ? leaves[nodes[i].begin] : values[i + 1] * share + values[nodes[i].right] * (1.0F - share);
-  }
-  return values;
+std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, Task& task) {
+  auto parts = std::make_unique<Discretisation>(world, settings, task);
+  task.count("elements", parts->elements.size());
+  task.count("elements_inside_geometry", parts->elements.size() - parts->hierarchy.leaf_count());
+  task.count("nodes", parts->hierarchy.size());
+  task.progress("elements", 0.1);
+  return parts;
 }
 
 Linking make_linking(const World& world, const Discretisation& parts, const Settings& settings, Visibility visibility,

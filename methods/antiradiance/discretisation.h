@@ -1,6 +1,7 @@
 /// What the geometry alone decides: mesh, elements, hierarchy, links, and the sums that form factors are held to.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,9 @@ struct Discretisation {
   std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes() + reconstruction.bytes(); }
 };
 
+/// Counted in the task.
+std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, Task& task);
+
 /// The links of one way of dealing with visibility, and what goes with them.
 struct Linking {
   Visibility visibility = Visibility::none_needed;
@@ -51,8 +55,5 @@ struct Linking {
 /// `radiosity` of the nodes, for the oracle that looks at it; empty: geometry alone.
 Linking make_linking(const World& world, const Discretisation& parts, const Settings& settings, Visibility visibility,
                      std::span<const float> radiosity, Task& task);
-
-/// Values of the leaves in all nodes: a node's is its children's mean by area.
-std::vector<float> pull(const Hierarchy& hierarchy, std::span<const float> leaves);
 
 }  // namespace gibench::antiradiance

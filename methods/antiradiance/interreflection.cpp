@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/finite_elements/bounce_series.h"
 #include "methods/antiradiance/bin_transport.h"
 #include "methods/antiradiance/patch_transport.h"
 
@@ -17,11 +18,9 @@ FixedPointRule rule_of(const Settings& settings, bool pictures) {
   return {settings.residual, settings.most_iterations, pictures ? settings.iterations : 0};
 }
 
-std::vector<Rgb> products(std::span<const Rgb> a, std::span<const Rgb> b) {
-  std::vector<Rgb> result(a.begin(), a.end());
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] *= b[i];
-  return result;
-}
+/// All bounces of the plan, or fewer where one is negligible.
+BounceSeries planned(int bounces) { return BounceSeries({bounces, bounces, 0.0}); }
+std::string as_planned(int bounces) { return fmt::format("at most {} bounces, as planned", bounces); }
 
 double total(std::span<const Rgb> values) {
   double sum = 0.0;
@@ -79,16 +78,19 @@ class Patches {
  private:
   Vector bounded(const Vector& first, const LinearMap& bounce, int bounces, Interreflection& result) {
     Vector sum = first, term = first, next(first.size());
-    for (int k = 1; k < bounces && !task_.cancelled(); ++k) {
+    BounceSeries series = planned(bounces);
+    series.add();
+    while (series.goes_on() && !task_.cancelled()) {
       bounce(term, next);
       term.swap(next);
       sum += term;
       ++result.iterations;
-      task_.progress(fmt::format("bounce {}", k + 1), static_cast<double>(k + 1) / bounces);
-      if (static_cast<double>(term.norm()) <= negligible_bounce * static_cast<double>(sum.norm())) break;
+      series.add();
+      task_.progress(fmt::format("bounce {}", series.bounces()), static_cast<double>(series.bounces()) / bounces);
+      if (static_cast<double>(term.norm()) <= negligible_bounce * static_cast<double>(sum.norm())) series.settle();
     }
     result.termination = Termination::bound_reached;
-    result.message = fmt::format("at most {} bounces, as planned", bounces);
+    result.message = as_planned(bounces);
     return sum;
   }
 
@@ -143,20 +145,22 @@ class Directions {
   void bounded(Vector& arriving, const FixedPointRule& rule, int bounces, Vector& sum, Interreflection& result) {
     Vector bounce;
     double so_far = 0.0;
-    for (int k = 1; k <= bounces && !task_.cancelled(); ++k) {
+    BounceSeries series = planned(bounces);
+    while (series.goes_on() && !task_.cancelled()) {
+      if (series.bounces() > 0) transport_.transport_reflected(bounce, albedo_, surfaces_.glossy, arriving, task_);
       take_over(solve_fixed_point(arriving, through(), rule, bounce, task_), result);
       std::vector<Rgb> fronts(result.irradiance.size());
       add_fronts(bounce, fronts);
       for (std::size_t i = 0; i < fronts.size(); ++i) result.irradiance[i] += fronts[i];
-      if (k == 1) sum = bounce;
+      if (series.bounces() == 0) sum = bounce;
       else sum += bounce;
+      series.add();
       const double size = total(fronts);
       so_far += size;
-      if (k == bounces || size <= negligible_bounce * so_far) break;
-      transport_.transport_reflected(bounce, albedo_, surfaces_.glossy, arriving, task_);
+      if (size <= negligible_bounce * so_far) series.settle();
     }
     if (succeeded(result.termination)) result.termination = Termination::bound_reached;
-    if (result.message.empty()) result.message = fmt::format("at most {} bounces, as planned", bounces);
+    if (result.message.empty()) result.message = as_planned(bounces);
   }
 
   void add_fronts(const Vector& arriving, std::vector<Rgb>& fronts) {
@@ -171,6 +175,12 @@ class Directions {
 };
 
 }  // namespace
+
+std::vector<Rgb> products(std::span<const Rgb> a, std::span<const Rgb> b) {
+  std::vector<Rgb> result(a.begin(), a.end());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] *= b[i];
+  return result;
+}
 
 std::vector<float> closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task) {
   const std::size_t leaves = parts.hierarchy.leaf_count();
@@ -198,28 +208,6 @@ Interreflection interreflect(const Discretisation& parts, const Linking& linking
   if (linking.visibility == Visibility::antiradiance)
     return Directions(parts, linking, surfaces, task).solve(direct, rule_of(settings, true));
   return Patches(parts, linking, surfaces, task).solve(direct, rule_of(settings, true));
-}
-
-Interreflection disc_bounce(const Discretisation& parts, const Linking& linking, const Settings& settings,
-                            const Surfaces& surfaces, std::span<const Rgb> direct, Task& task) {
-  const PatchTransport transport(parts.hierarchy, linking.links);
-  const std::vector<Rgb> fronts = products(direct, surfaces.albedo);
-  std::vector<Rgb> received(direct.size()), before, backs;
-  transport.transport(fronts, {}, received, task);
-  Interreflection result;
-  for (int pass = 0; pass < settings.passes && !task.cancelled(); ++pass) {
-    before = received;
-    backs.clear();
-    for (const Rgb& light : received) backs.push_back(light * -1.0F);
-    transport.transport(fronts, backs, received, task);
-    ++result.iterations;
-    task.progress("shadow pass", static_cast<double>(pass + 1) / settings.passes);
-  }
-  for (std::size_t i = 0; i < received.size() && !before.empty(); ++i) received[i] = (received[i] + before[i]) * 0.5F;
-  result.termination = Termination::bound_reached;
-  result.message = fmt::format("one bounce with {} shadow passes", settings.passes);
-  result.irradiance = std::move(received);
-  return result;
 }
 
 }  // namespace gibench::antiradiance

@@ -42,9 +42,7 @@ std::vector<float> closure_factors(const Discretisation& parts, const Linking& l
 Interreflection interreflect(const Discretisation& parts, const Linking& linking, const Settings& settings,
                              const Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
 
-/// Bunnell's single bounce: radiosities sent without visibility, then `passes` times the shadow of what every element
-/// received, cast from its back; the last two are averaged.
-Interreflection disc_bounce(const Discretisation& parts, const Linking& linking, const Settings& settings,
-                            const Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
+/// Value by value.
+std::vector<Rgb> products(std::span<const Rgb> a, std::span<const Rgb> b);
 
 }  // namespace gibench::antiradiance

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "methods/antiradiance/pull.h"
+
 namespace gibench::antiradiance {
 
 namespace {
@@ -11,25 +13,11 @@ constexpr float most_raised = 1.5F;
 
 }  // namespace
 
-std::vector<Rgb> PatchTransport::pulled(std::span<const Rgb> leaves) const {
-  const auto nodes = hierarchy_.nodes();
-  std::vector<Rgb> values(nodes.size());
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    const Node& node = nodes[i];
-    if (node.is_leaf()) {
-      values[i] = leaves[node.begin];
-      continue;
-    }
-    const float share = nodes[i + 1].area / node.area;
-    values[i] = values[i + 1] * share + values[node.right] * (1.0F - share);
-  }
-  return values;
-}
-
 void PatchTransport::transport(std::span<const Rgb> fronts, std::span<const Rgb> backs, std::span<Rgb> arriving,
                                Task& task) const {
   const auto nodes = hierarchy_.nodes();
-  const std::vector<Rgb> from_fronts = pulled(fronts), from_backs = backs.empty() ? std::vector<Rgb>() : pulled(backs);
+  const std::vector<Rgb> from_fronts = pull(hierarchy_, fronts),
+                         from_backs = backs.empty() ? std::vector<Rgb>() : pull(hierarchy_, backs);
   std::vector<Rgb> incident(nodes.size());
   task.parallel_chunks(nodes.size(), node_chunk, [&](const ChunkRange& range) {
     for (std::size_t p = range.begin; p < range.end; ++p) {

@@ -20,8 +20,6 @@ class PatchTransport {
   void transport(std::span<const Rgb> fronts, std::span<const Rgb> backs, std::span<Rgb> arriving, Task& task) const;
 
  private:
-  std::vector<Rgb> pulled(std::span<const Rgb> leaves) const;
-
   const Hierarchy& hierarchy_;
   const LinkTable& links_;
 };
