@@ -4,7 +4,7 @@
 #include <array>
 
 #include "common/core/sobol.h"
-#include "common/lighting/mis.h"
+#include "common/lighting/next_event.h"
 #include "common/lighting/scene_lights.h"
 #include "common/reflectance/bsdf.h"
 
@@ -29,6 +29,7 @@ struct Gatherer {
   SobolSequence random;
   RayStream& rays;
   const DirectLightOptions& options;
+  NextEvent next_event{lights, 1.0F};
 
   Rgb from_punctual() const;
   Rgb from_lights(std::uint32_t begin, std::uint32_t end) const;
@@ -42,8 +43,7 @@ class PendingLight {
  public:
   PendingLight(const Gatherer& gatherer, Rgb& sum) : gatherer_(gatherer), sum_(sum) {}
 
-  /// `weighted`: by what the lobe would have found by itself.
-  void add(const LightSample& light, bool weighted) {
+  void add(const LightSample& light) {
     if (!(light.pdf > 0.0F)) return;
     const Vec3 in = gatherer_.frame.to_local(light.direction);
     const BsdfValue value = gatherer_.bsdf.evaluate(gatherer_.out, in);
@@ -51,7 +51,7 @@ class PendingLight {
     if (is_black(contribution)) return;
     if (count_ == batch) trace();
     shadow_rays_[count_] = light.shadow_ray(gatherer_.origin);
-    contributions_[count_++] = contribution * (weighted ? power_heuristic(light.pdf, value.pdf) : 1.0F);
+    contributions_[count_++] = contribution * gatherer_.next_event.weight(light, value.pdf);
   }
   void trace() {
     std::array<std::uint8_t, batch> occluded{};
@@ -73,8 +73,7 @@ class PendingLight {
 Rgb Gatherer::from_punctual() const {
   Rgb sum;
   PendingLight pending(*this, sum);
-  for (std::size_t light = 0; light < lights.punctual_count(); ++light)
-    pending.add(lights.punctual(light, sample.position), false);
+  for (std::size_t light = 0; light < lights.punctual_count(); ++light) pending.add(lights.punctual(light, sample.position));
   pending.trace();
   return sum;
 }
@@ -86,7 +85,7 @@ Rgb Gatherer::from_lights(std::uint32_t begin, std::uint32_t end) const {
   for (std::uint32_t i = begin; i < end; ++i) {
     const LightSample light =
         lights.sample(sample.position, sample.normal, random.pair(i, light_choice).x, random.pair(i, light_place).unit());
-    pending.add(light, !light.delta);
+    pending.add(light);
   }
   pending.trace();
   return sum;
@@ -123,18 +122,10 @@ void Gatherer::find_lights(std::span<const Ray> directions, std::span<Hit> hits)
 
 /// Radiance that a ray drawn with this density (0: a mirror's) brings from a light, times its weight.
 Rgb Gatherer::arriving(const Hit& hit, const Vec3& direction, float pdf) const {
-  if (!hit) {
-    const Rgb radiance = lights.environment(direction);
-    const bool weighted = pdf > 0.0F && !is_black(radiance);
-    return weighted ? radiance * power_heuristic(pdf, lights.pdf_of_environment(sample.normal, direction)) : radiance;
-  }
+  if (!hit) return next_event.environment(sample.normal, direction, pdf);
   const Object& object = world.scene().objects[world.scene().triangle_object[hit.triangle]];
-  const Rgb& radiance = lights.emission_of_material(object.material);
-  if (is_black(radiance)) return Rgb();
   const float cosine = -glm::dot(world.normal(hit.triangle), direction);
-  if (cosine < 0.0F && !object.two_sided) return Rgb();
-  if (!(pdf > 0.0F)) return radiance;
-  return radiance * power_heuristic(pdf, lights.pdf_of_triangle(sample.position, hit.triangle, hit.distance, std::fabs(cosine)));
+  return next_event.emission(sample.position, {hit.triangle, object.material, hit.distance, cosine, object.two_sided}, pdf);
 }
 
 }  // namespace

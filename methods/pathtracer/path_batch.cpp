@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/core/sampling.h"
-#include "common/lighting/mis.h"
 
 namespace gibench::pathtracer {
 
@@ -17,7 +16,13 @@ constexpr float most_survival = 0.998F;    // … with this probability to go on
 
 PathBatch::PathBatch(const PathScene& scene, const SceneLights& lights, const PathRules& rules, const Settings& settings,
                      const PathBounds& bounds, RayStream& rays)
-    : scene_(scene), lights_(lights), rules_(rules), settings_(settings), bounds_(bounds), rays_(rays) {
+    : scene_(scene),
+      lights_(lights),
+      rules_(rules),
+      settings_(settings),
+      bounds_(bounds),
+      next_event_(lights, static_cast<float>(settings.light_samples)),
+      rays_(rays) {
   paths_.reserve(capacity);
   ray_.reserve(capacity);
   pending_.reserve(capacity);
@@ -95,11 +100,9 @@ void PathBatch::add_light_sample(const Path& path, const LightSample& light) {
   LobeValues values = path.bsdf->evaluate_lobes(out, in, walking | lit);
   if (!contains(lit, Lobes::diffuse)) values.diffuse = Rgb();
   if (!contains(lit, Lobes::specular)) values.specular = Rgb();
-  const auto samples = static_cast<float>(settings_.light_samples);
-  const float density = samples * light.pdf;
   // A light that rays can meet counts by no lobe that may not walk, so that the density is that of the walk.
-  const float weight = light.delta ? 1.0F : power_heuristic(density, values.pdf);
-  const Rgb contribution = path.throughput * (values.diffuse + values.specular) * light.radiance * (in.z * weight / density);
+  const float factor = in.z * next_event_.weight(light, values.pdf) / next_event_.density(light);
+  const Rgb contribution = path.throughput * (values.diffuse + values.specular) * light.radiance * factor;
   if (is_black(contribution)) return;
   ray_.push_back(light.shadow_ray(path.origin));
   pending_.push_back(contribution);
@@ -170,7 +173,8 @@ void PathBatch::arrive(int reflection) {
     Path path = paths_[i];
     const Vec3& direction = ray_[i].direction;
     if (wanted && rules_.accepts(path.state, hit_[i] ? PathEvent::emitter : PathEvent::background)) {
-      const Rgb met = hit_[i] ? emission_met(path, hit_[i], direction) : environment_met(path, direction);
+      const Rgb met =
+          hit_[i] ? emission_met(path, hit_[i], direction) : next_event_.environment(path.normal, direction, path.pdf);
       PathLight& light = light_[path.number];
       (reflection == 0 ? light.direct : light.indirect) += path.throughput * met;
     }
@@ -197,20 +201,9 @@ bool PathBatch::reach(Path& path, const Hit& hit, const Vec3& direction) {
 /// Emission of the surface that the ray met, weighed against the light samples that could have found it.
 Rgb PathBatch::emission_met(const Path& path, const Hit& hit, const Vec3& direction) const {
   const PathTriangle& triangle = scene_.triangles[hit.triangle];
-  const Rgb& radiance = lights_.emission_of_material(triangle.material);
-  if (is_black(radiance)) return Rgb();
   const float cosine = -glm::dot(triangle.normal, direction);
-  if (cosine < 0.0F && triangle.two_sided == 0U) return Rgb();
-  if (!(path.pdf > 0.0F)) return radiance;
-  const float density = lights_.pdf_of_triangle(path.position, hit.triangle, hit.distance, std::fabs(cosine));
-  return radiance * power_heuristic(path.pdf, static_cast<float>(settings_.light_samples) * density);
-}
-
-Rgb PathBatch::environment_met(const Path& path, const Vec3& direction) const {
-  const Rgb radiance = lights_.environment(direction);
-  if (!(path.pdf > 0.0F) || is_black(radiance)) return radiance;
-  const float density = lights_.pdf_of_environment(path.normal, direction);
-  return radiance * power_heuristic(path.pdf, static_cast<float>(settings_.light_samples) * density);
+  return next_event_.emission(path.position, {hit.triangle, triangle.material, hit.distance, cosine, triangle.two_sided != 0U},
+                              path.pdf);
 }
 
 }  // namespace gibench::pathtracer

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/lighting/next_event.h"
 #include "common/lighting/scene_lights.h"
 #include "common/ray/ray_stream.h"
 #include "methods/pathtracer/asked_surface.h"
@@ -63,13 +64,13 @@ class PathBatch {
   void arrive(int reflection);
   bool reach(Path& path, const Hit& hit, const Vec3& direction);
   Rgb emission_met(const Path& path, const Hit& hit, const Vec3& direction) const;
-  Rgb environment_met(const Path& path, const Vec3& direction) const;
 
   const PathScene& scene_;
   const SceneLights& lights_;
   const PathRules& rules_;
   const Settings settings_;
   const PathBounds bounds_;
+  const NextEvent next_event_;
   RayStream& rays_;
 
   std::span<const PathRandom> random_;
