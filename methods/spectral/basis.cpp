@@ -1,20 +1,14 @@
 #include "methods/spectral/basis.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
 
 #include "methods/spectral/colour_lanes.h"
-#include "methods/spectral/eigenvectors.h"
 
 namespace gibench::spectral {
 
 namespace {
-
-constexpr std::uint32_t most_columns = 65536;  // columns are numbered in 16 bits
 
 constexpr std::uint32_t tile = 128;  // slots whose functions stay in the nearest cache
 
@@ -47,69 +41,24 @@ void project_part(const SpectralBasis& basis, const SpectralBasis::Part& part, c
   for (std::size_t i = 0; i < sums.size(); ++i) store(sums[i], &columns[i * lane_count]);
 }
 
-std::string describe(const Partition& partition, std::size_t part) {
-  return fmt::format("part {} of {} ({} vertices)", part + 1, partition.parts(), partition.part_size(part));
-}
-
 }  // namespace
 
-BasisMaking BasisMaking::make(const SurfaceGraph& graph, const Partition& partition, const std::vector<std::uint32_t>& functions,
-                              Laplacian kind, Task& task) {
-  BasisMaking making;
-  SpectralBasis& basis = making.basis;
+SpectralBasis::SpectralBasis(const Partition& partition, std::span<const std::uint32_t> functions)
+    : part_of_slot_(partition.order.size()), weight_(partition.order.size(), 1.0F) {
   std::size_t values = 0;
-  std::uint64_t columns = 0;
+  std::uint32_t columns = 0;
   for (std::size_t p = 0; p < partition.parts(); ++p) {
-    const std::uint32_t width = static_cast<std::uint32_t>(chunk_count(functions[p], lane_count) * lane_count);
-    basis.parts_.push_back(
-        {partition.part_begin[p], partition.part_begin[p + 1], static_cast<std::uint32_t>(columns), width, functions[p], values});
+    const std::uint32_t begin = partition.part_begin[p], end = partition.part_begin[p + 1], width = width_for(functions[p]);
+    parts_.push_back({begin, end, columns, width, functions[p], values});
+    std::fill(part_of_slot_.begin() + begin, part_of_slot_.begin() + end, static_cast<std::uint16_t>(p));
     columns += width;
     values += std::size_t{width} * partition.part_size(p);
   }
-  if (columns > most_columns) {
-    making.failure = fmt::format(
-        "{} parts need {} columns where there may be {}; lower basis_functions, or join the scene's loose "
-        "pieces, of which each is a part",
-        partition.parts(), columns, most_columns);
-    return making;
-  }
-  basis.values_.assign(values, 0.0F);
-  basis.weight_.assign(graph.size(), 1.0F);
-  basis.part_of_slot_.resize(graph.size());
-  const double mean_area = std::accumulate(graph.area.begin(), graph.area.end(), 0.0) / static_cast<double>(graph.size());
-  std::vector<std::optional<Eigenpairs>> outcome(partition.parts());
-  task.parallel_chunks(partition.parts(), 1, [&](const ChunkRange& range) {
-    const SpectralBasis::Part& part = basis.parts_[range.begin];
-    std::vector<std::uint32_t> ascending(partition.order.begin() + part.begin, partition.order.begin() + part.end);
-    std::sort(ascending.begin(), ascending.end());
-    const SymmetricLaplacian laplacian = symmetric_laplacian(graph, ascending, kind, mean_area);
-    auto& pairs = outcome[range.begin];
-    pairs = smallest_eigenpairs(laplacian.matrix, part.functions);
-    if (!pairs) return;
-    for (std::uint32_t slot = part.begin; slot < part.end; ++slot) {
-      const Eigen::Index i = std::lower_bound(ascending.begin(), ascending.end(), partition.order[slot]) - ascending.begin();
-      basis.weight_[slot] = static_cast<float>(laplacian.weight[i]);
-      basis.part_of_slot_[slot] = static_cast<std::uint16_t>(range.begin);
-      float* row = basis.values_.data() + part.values + std::size_t{slot - part.begin} * part.width;
-      for (std::uint32_t f = 0; f < part.functions; ++f)
-        row[f] = static_cast<float>(pairs->vectors(i, static_cast<Eigen::Index>(f)) / std::sqrt(laplacian.weight[i]));
-    }
-    pairs->vectors.resize(0, 0);
-  });
-  if (task.cancelled()) return making;
-  for (std::size_t p = 0; p < partition.parts(); ++p) {
-    if (!outcome[p]) {
-      making.failure = fmt::format(
-          "the eigenvectors of {} were not found: three shifts of the Lanczos solver failed, and {}; set "
-          "another part_vertices",
-          describe(partition, p),
-          partition.part_size(p) > most_dense ? "it is too large for the dense one" : "so did the dense one");
-      return making;
-    }
-    making.dense_parts += outcome[p]->dense ? 1U : 0U;
-    making.failed_attempts += static_cast<std::uint32_t>(outcome[p]->failed_attempts);
-  }
-  return making;
+  values_.assign(values, 0.0F);
+}
+
+std::uint32_t SpectralBasis::width_for(std::uint32_t functions) {
+  return static_cast<std::uint32_t>(chunk_count(functions, lane_count) * lane_count);
 }
 
 std::uint32_t SpectralBasis::functions() const {

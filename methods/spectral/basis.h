@@ -3,11 +3,9 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "common/method/task.h"
-#include "methods/spectral/laplacian.h"
 #include "methods/spectral/partition.h"
 #include "methods/spectral/rgb4.h"
 
@@ -25,6 +23,18 @@ class SpectralBasis {
     std::size_t values = 0;            ///< offset of the first slot's row, `width` floats a slot
   };
 
+  /// Room for so many functions of each part, all of them zero as yet.
+  SpectralBasis(const Partition& partition, std::span<const std::uint32_t> functions);
+  SpectralBasis() = default;
+
+  /// Columns that a part with so many functions has.
+  static std::uint32_t width_for(std::uint32_t functions);
+  /// The functions at a slot, to be written, and the slot's weight.
+  std::span<float> row_to_fill(const Part& part, std::uint32_t slot) {
+    return std::span(values_).subspan(row_begin(part, slot), part.width);
+  }
+  void set_weight(std::uint32_t slot, float weight) { weight_[slot] = weight; }
+
   std::uint32_t slots() const { return static_cast<std::uint32_t>(weight_.size()); }
   std::uint32_t columns() const { return parts_.empty() ? 0 : parts_.back().column + parts_.back().width; }
   std::uint32_t functions() const;
@@ -32,7 +42,7 @@ class SpectralBasis {
   const Part& part_of(std::uint32_t slot) const { return parts_[part_of_slot_[slot]]; }
   /// s_ℓ at a slot, for the columns of its part.
   std::span<const float> row(const Part& part, std::uint32_t slot) const {
-    return std::span(values_).subspan(part.values + std::size_t{slot - part.begin} * part.width, part.width);
+    return std::span(values_).subspan(row_begin(part, slot), part.width);
   }
   /// wᵢ of the inner product ⟨f, g⟩ = Σ wᵢ fᵢ gᵢ in which the functions are orthonormal.
   std::span<const float> weight() const { return weight_; }
@@ -52,21 +62,13 @@ class SpectralBasis {
   std::size_t bytes() const { return (values_.size() + weight_.size()) * sizeof(float); }
 
  private:
-  friend struct BasisMaking;
+  static std::size_t row_begin(const Part& part, std::uint32_t slot) {
+    return part.values + std::size_t{slot - part.begin} * part.width;
+  }
+
   std::vector<Part> parts_;
   std::vector<std::uint16_t> part_of_slot_;
   std::vector<float> values_, weight_;
-};
-
-/// How making a basis went; the basis counts where `failure` is empty.
-struct BasisMaking {
-  SpectralBasis basis;
-  std::string failure;  ///< one line that names the part
-  std::uint32_t dense_parts = 0, failed_attempts = 0;
-
-  /// `functions`: how many of each part.
-  static BasisMaking make(const SurfaceGraph& graph, const Partition& partition, const std::vector<std::uint32_t>& functions,
-                          Laplacian kind, Task& task);
 };
 
 }  // namespace gibench::spectral

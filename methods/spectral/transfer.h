@@ -11,6 +11,7 @@
 #include "methods/spectral/interpolation.h"
 #include "methods/spectral/settings.h"
 #include "methods/spectral/transfer_matrix.h"
+#include "methods/spectral/vertex_rays.h"
 
 namespace gibench::spectral {
 
@@ -27,8 +28,12 @@ struct Transfer {
   std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row
   std::vector<TransferMatrix> harmonic_slices;  ///< T_k^s, k = 1…15; that of the constant harmonic is T^s times it
 
+  double area_of(std::size_t slot) const;  ///< m²
   std::size_t bytes() const;
 };
+
+/// The rays of the transfer's vertices.
+VertexRays rays_of(const World& world, const Transfer& transfer, int rays, std::uint64_t seed);
 
 /// What prepare() is to make, besides the settings.
 struct TransferWish {

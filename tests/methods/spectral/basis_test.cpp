@@ -1,4 +1,4 @@
-#include "methods/spectral/basis.h"
+#include "methods/spectral/basis_making.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ struct Based {
         interpolation(world, mesh, task),
         graph(make_graph(mesh, interpolation)),
         partition(partition_mesh(graph, part_vertices)),
-        made(BasisMaking::make(graph, partition, share_out(partition, functions), kind, task)) {}
+        made(make_basis(graph, partition, share_out(partition, functions), kind, task)) {}
   const SpectralBasis& basis() const { return made.basis; }
 };
 
@@ -126,7 +126,7 @@ TEST(SpectralBasis, OrderOfVerticesInAPartMovesTheFunctionsWithThem) {
   Partition partition = based.partition;
   put_neighbours_together(based.mesh, block_rows, partition);
   ASSERT_NE(partition.order, based.partition.order);
-  const BasisMaking moved = BasisMaking::make(based.graph, partition, share_out(partition, 60), Laplacian::cotan, based.task);
+  const BasisMaking moved = make_basis(based.graph, partition, share_out(partition, 60), Laplacian::cotan, based.task);
   for (std::size_t p = 0; p < partition.parts(); ++p)
     for (std::uint32_t slot = partition.part_begin[p]; slot < partition.part_begin[p + 1]; ++slot) {
       const auto begin = based.partition.order.begin() + partition.part_begin[p];
@@ -247,7 +247,7 @@ TEST(SpectralBasis, TooManyPartsAreRefusedByName) {
   graph.begin.assign(10001, 0);
   Task task;
   const Partition partition = partition_mesh(graph, 100);
-  const BasisMaking made = BasisMaking::make(graph, partition, share_out(partition, 10), Laplacian::cotan, task);
+  const BasisMaking made = make_basis(graph, partition, share_out(partition, 10), Laplacian::cotan, task);
   EXPECT_NE(made.failure.find("10000 parts"), std::string::npos) << made.failure;
 }
 
@@ -258,7 +258,7 @@ TEST(SpectralBasis, PartOfOneVertexHasTheConstant) {
   for (const Laplacian kind : kinds) {
     Task task;
     const Partition partition = partition_mesh(graph, 100);
-    const BasisMaking made = BasisMaking::make(graph, partition, share_out(partition, 100), kind, task);
+    const BasisMaking made = make_basis(graph, partition, share_out(partition, 100), kind, task);
     ASSERT_TRUE(made.failure.empty()) << made.failure;
     std::vector<Rgb4> values{Rgb(1.0F), Rgb(5.0F)}, coefficients(made.basis.columns()), back(2);
     made.basis.project(values, coefficients, task);

@@ -1,0 +1,12 @@
+/// Fills the transfer matrices row by row, by rays from every vertex.
+#pragma once
+
+#include "methods/spectral/transfer.h"
+#include "methods/spectral/vertex_rays.h"
+
+namespace gibench::spectral {
+
+/// The matrix of one bounce, and the harmonic slices where the transfer has glossy slots.
+void fill_matrices(const World& world, const VertexRays& rays, const Truncation& truncation, Transfer& transfer, Task& task);
+
+}  // namespace gibench::spectral

@@ -1,0 +1,16 @@
+/// Rows of the transfer matrix that are made first, whole, to choose from them what the others may leave out.
+#pragma once
+
+#include <vector>
+
+#include "methods/spectral/compression.h"
+#include "methods/spectral/transfer.h"
+#include "methods/spectral/vertex_rays.h"
+
+namespace gibench::spectral {
+
+/// Evenly spread blocks of rows by the matrix's own rays, and each twice again by fewer, independent ones.
+std::vector<PilotBlock> pilot_rows(const World& world, const Transfer& transfer, const VertexRays& rays, int ray_count,
+                                   Task& task);
+
+}  // namespace gibench::spectral
