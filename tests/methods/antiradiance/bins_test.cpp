@@ -7,18 +7,13 @@
 #include <numeric>
 #include <vector>
 
-#include "common/core/random.h"
 #include "methods/antiradiance/bin_transport.h"
+#include "tests/support/random_direction.h"
 
 namespace gibench::antiradiance {
 namespace {
 
-Vec3 direction(std::uint64_t i) {
-  RandomStream random(3, 1, i);
-  const float z = 2.0F * random.next_float() - 1.0F, phi = 2.0F * pi * random.next_float();
-  const float r = std::sqrt(std::max(0.0F, 1.0F - z * z));
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
+Vec3 direction(std::uint64_t i) { return test::random_direction(1, i); }
 
 TEST(DirectionBins, HaveOneSizeAndCoverTheSphere) {
   for (const int resolution : {4, 8, 12}) {

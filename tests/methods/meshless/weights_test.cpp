@@ -8,16 +8,12 @@
 #include "common/core/random.h"
 #include "methods/meshless/box_tree.h"
 #include "methods/meshless/packed_normal.h"
+#include "tests/support/random_direction.h"
 
 namespace gibench::meshless {
 namespace {
 
-Vec3 random_direction(std::uint64_t index) {
-  RandomStream random(3, 0, index);
-  const float z = 2.0F * random.next_float() - 1.0F, angle = 2.0F * pi * random.next_float();
-  const float radius = std::sqrt(std::max(0.0F, 1.0F - z * z));
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
+Vec3 random_direction(std::uint64_t index) { return test::random_direction(0, index); }
 
 TEST(Weights, KernelIsThatOfEquation13) {
   EXPECT_FLOAT_EQ(kernel(0.0F), 1.0F);
