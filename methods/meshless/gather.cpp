@@ -8,6 +8,7 @@
 #include "common/core/sampling.h"
 #include "common/core/sobol.h"
 #include "common/finite_elements/morton.h"
+#include "common/finite_elements/surface_point.h"
 #include "methods/meshless/edge_frame.h"
 
 namespace gibench::meshless {
