@@ -116,14 +116,14 @@ class Relighter {
     quietly.quiet = true;
     extend_reference(lit, measuring_, {.count = reference_replicas}, {options_.reference_samples, std::nullopt}, quietly,
                      reference, [](const Reference&) {});
-    record.errors["direct"] = value_errors(answers.direct, reference.surface.direct);
-    record.errors["indirect"] = value_errors(answers.indirect, reference.surface.indirect);
+    record.errors[Component::direct] = value_errors(answers.direct, reference.surface.direct);
+    record.errors[Component::indirect] = value_errors(answers.indirect, reference.surface.indirect);
     const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);
-    record.errors["total"] = value_errors(answers.total(), total);
+    record.errors[Component::total] = value_errors(answers.total(), total);
     const double paths = static_cast<double>(options_.reference_samples) * reference_replicas;
     const PathTraced compared{reference.seconds, root_mean_variance(reference.surface.indirect), paths};
     record.reference = at_as_many_points(compared, question_.surface_samples, points_.surface.size());
-    record.path_tracing = path_tracing_seconds(*record.reference, record.errors["indirect"]["rmse"]);
+    record.path_tracing = path_tracing_seconds(*record.reference, record.errors[Component::indirect]["rmse"]);
   }
 
   const RelightOptions& options_;

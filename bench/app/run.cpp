@@ -77,15 +77,15 @@ void split_errors(const RunOptions& options, const Scene& scene, const Reference
 /// The warning about missing effects gets the size of what is missing.
 void tell_what_is_missing(RunRecord& record) {
   if (!record.split || record.plan.missing.empty()) return;
-  const ErrorTable& table = record.split->model.at("total").at("surface");
-  const auto seen = record.split->model.at("total").find("image");
+  const DomainErrors& total = record.split->model.at(Component::total);
+  const auto seen = total.find(Domain::image);
   const auto size_of = [](const ErrorTable& errors) {
     const auto error = errors.find(headline_metric);
     return error == errors.end() ? std::string("an unknown share") : fmt::format("{:.2g}%", 100.0 * error->second.value);
   };
   std::string text = fmt::format("what is missing ({}) makes {} of the light at the surface samples (relative rmse)",
-                                 names_of(record.plan.missing), size_of(table));
-  if (seen != record.split->model.at("total").end()) text += fmt::format(", {} in the picture", size_of(seen->second));
+                                 names_of(record.plan.missing), size_of(total.at(Domain::surface)));
+  if (seen != total.end()) text += fmt::format(", {} in the picture", size_of(seen->second));
   record.warnings.push_back(std::move(text));
 }
 
@@ -106,12 +106,12 @@ Exposure shown_exposure(const Scene& scene, const RunOutcome& outcome, const std
   return outcome.image ? exposure_for(scene, outcome.image->total()) : scene.exposure.value_or(Exposure{});
 }
 
-void print_errors(const std::string& what, const std::map<std::string, DomainErrors>& errors) {
+void print_errors(const std::string& what, const ComponentErrors& errors) {
   for (const auto& [component, domains] : errors)
     for (const auto& [domain, table] : domains)
       if (const auto error = table.find(headline_metric); error != table.end() && std::isfinite(error->second.value))
-        fmt::print("  {:<8} light, {:<7}  {} {:.3f}% [{:.3f}, {:.3f}]{}\n", component, domain, what, 100.0 * error->second.value,
-                   100.0 * error->second.low, 100.0 * error->second.high,
+        fmt::print("  {:<8} light, {:<7}  {} {:.3f}% [{:.3f}, {:.3f}]{}\n", to_string(component), to_string(domain), what,
+                   100.0 * error->second.value, 100.0 * error->second.low, 100.0 * error->second.high,
                    error->second.below_noise_floor ? ", below the noise floor" : "");
 }
 
@@ -129,7 +129,7 @@ void print_summary(const RunRecord& record) {
   }
   for (const BounceErrors& bounce : record.per_bounce) {
     fmt::print("bounce {}\n", bounce.bounce);
-    const char* component = bounce.bounce == 0 ? "direct" : "indirect";
+    const Component component = bounce.bounce == 0 ? Component::direct : Component::indirect;
     if (bounce.model) print_errors("model error", {{component, bounce.model->at(component)}});
     print_errors("discretisation error", {{component, bounce.discretisation.at(component)}});
   }

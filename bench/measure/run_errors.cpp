@@ -11,22 +11,22 @@ namespace gibench {
 namespace {
 
 /// The replicates of one component.
-Replicas component_of(const ReferenceValues& values, const std::string& component) {
-  if (component == "direct") return values.direct;
-  if (component == "indirect") return values.indirect;
+Replicas component_of(const ReferenceValues& values, Component component) {
+  if (component == Component::direct) return values.direct;
+  if (component == Component::indirect) return values.indirect;
   return Replicas::sum(values.direct, values.indirect);
 }
 
-std::vector<Rgb> component_of(const Answers& answers, const std::string& component) {
-  if (component == "direct") return answers.direct;
-  if (component == "indirect") return answers.indirect;
+std::vector<Rgb> component_of(const Answers& answers, Component component) {
+  if (component == Component::direct) return answers.direct;
+  if (component == Component::indirect) return answers.indirect;
   return answers.total();
 }
 
-void check_sizes(const ReferenceValues& values, const Answers& answers, const char* where) {
+void check_sizes(const ReferenceValues& values, const Answers& answers, Domain where) {
   if (values.direct.size() != answers.direct.size() || values.indirect.size() != answers.indirect.size())
-    throw InputError(std::string("the stored reference, ") + where, "holds another number of values than were asked for",
-                     "it is damaged: remove its folder and make it again");
+    throw InputError(std::string("the stored reference, ") + to_string(where),
+                     "holds another number of values than were asked for", "it is damaged: remove its folder and make it again");
 }
 
 void check_comparable(const Replicas& all, const Replicas& some) {
@@ -37,18 +37,19 @@ void check_comparable(const Replicas& all, const Replicas& some) {
 
 }  // namespace
 
-std::map<std::string, DomainErrors> errors_against(const Reference& reference, const Answers& surface,
-                                                   const std::optional<Answers>& image, const Exposure& exposure) {
-  check_sizes(reference.surface, surface, "surface");
-  if (image) check_sizes(reference.image, *image, "image");
-  std::map<std::string, DomainErrors> errors;
-  for (const char* component : {"direct", "indirect", "total"}) {
+ComponentErrors errors_against(const Reference& reference, const Answers& surface, const std::optional<Answers>& image,
+                               const Exposure& exposure) {
+  check_sizes(reference.surface, surface, Domain::surface);
+  if (image) check_sizes(reference.image, *image, Domain::image);
+  ComponentErrors errors;
+  for (const Component component : all_components) {
     if (!surface.direct.empty())
-      errors[component]["surface"] = value_errors(component_of(surface, component), component_of(reference.surface, component));
+      errors[component][Domain::surface] =
+          value_errors(component_of(surface, component), component_of(reference.surface, component));
     if (!image) continue;
     const Camera& camera = *reference.question.camera;
-    errors[component]["image"] = image_errors(camera.width, camera.height, component_of(*image, component),
-                                              component_of(reference.image, component), exposure);
+    errors[component][Domain::image] = image_errors(camera.width, camera.height, component_of(*image, component),
+                                                    component_of(reference.image, component), exposure);
   }
   return errors;
 }
@@ -69,21 +70,21 @@ Replicas against_fixed(const Replicas& all, const Replicas& some, const std::vec
 
 }  // namespace
 
-std::map<std::string, DomainErrors> model_errors(const Reference& all, const Reference& some, const Exposure& exposure) {
-  std::map<std::string, DomainErrors> errors;
-  for (const char* component : {"direct", "indirect", "total"}) {
+ComponentErrors model_errors(const Reference& all, const Reference& some, const Exposure& exposure) {
+  ComponentErrors errors;
+  for (const Component component : all_components) {
     if (const Replicas of_all = component_of(all.surface, component), of_some = component_of(some.surface, component);
         of_all.size() > 0) {
       check_comparable(of_all, of_some);
       const std::vector<Rgb> fixed = of_some.mean();
-      errors[component]["surface"] = value_errors(fixed, against_fixed(of_all, of_some, fixed));
+      errors[component][Domain::surface] = value_errors(fixed, against_fixed(of_all, of_some, fixed));
     }
     const Replicas of_all = component_of(all.image, component), of_some = component_of(some.image, component);
     if (of_all.size() == 0) continue;
     check_comparable(of_all, of_some);
     const std::vector<Rgb> fixed = of_some.mean();
     const Camera& camera = *all.question.camera;
-    errors[component]["image"] =
+    errors[component][Domain::image] =
         image_errors(camera.width, camera.height, fixed, against_fixed(of_all, of_some, fixed), exposure);
   }
   return errors;

@@ -9,14 +9,14 @@
 
 namespace gibench {
 
-/// By component, then "surface" and "image". Throws InputError where the reference does not fit the answers.
-std::map<std::string, DomainErrors> errors_against(const Reference& reference, const Answers& surface,
-                                                   const std::optional<Answers>& image, const Exposure& exposure);
+/// Throws InputError where the reference does not fit the answers.
+ComponentErrors errors_against(const Reference& reference, const Answers& surface, const std::optional<Answers>& image,
+                               const Exposure& exposure);
 
 /// The reference of some paths held against that of all: what those paths lack. Both with equally many replicates or the
 /// surplus is left out; replicate by replicate the two may share random numbers, so that their noise is that of the
 /// difference. InputError where they answer different questions otherwise.
-std::map<std::string, DomainErrors> model_errors(const Reference& all, const Reference& some, const Exposure& exposure);
+ComponentErrors model_errors(const Reference& all, const Reference& some, const Exposure& exposure);
 
 /// The exposure at which the scene is shown: its own, else that of `total`, the picture given.
 Exposure exposure_for(const Scene& scene, std::span<const Rgb> total);

@@ -33,9 +33,9 @@ std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan,
   return warnings;
 }
 
-std::vector<std::string> completed_components(const Capabilities& can) {
-  std::vector<std::string> completed;
-  if (!can.direct) completed.emplace_back("direct");
+std::vector<Component> completed_components(const Capabilities& can) {
+  std::vector<Component> completed;
+  if (!can.direct) completed.push_back(Component::direct);
   return completed;
 }
 

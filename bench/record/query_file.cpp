@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/core/enum_names.h"
 #include "common/core/error.h"
 #include "common/json/json_place.h"
 #include "common/json/json_text.h"
@@ -66,10 +67,8 @@ Quantity read_quantity(const json& object, const JsonPlace& query) {
 Component read_component(const json& object, const JsonPlace& query) {
   if (!object.contains("component")) return Component::total;
   const std::string name = read_text(object, "component", query);
-  if (name == "total") return Component::total;
-  if (name == "direct") return Component::direct;
-  if (name == "indirect") return Component::indirect;
-  throw InputError(query["component"].text(), "unknown component '" + name + "'", "known: total, direct, indirect");
+  if (const auto component = find_named(all_components, name)) return *component;
+  throw InputError(query["component"].text(), "unknown component '" + name + "'", "known: " + list_names(all_components));
 }
 
 std::optional<int> read_bounces(const json& object, const JsonPlace& query) {

@@ -36,7 +36,7 @@ Json relit_frame_json(const RelitFrame& frame) {
   for (const auto& [component, table] : frame.errors)
     for (const auto& [metric, error] : table) {
       if (!std::isfinite(error.value)) continue;
-      Json& value = json["errors"][component][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
+      Json& value = json["errors"][to_string(component)][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
       if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
       value["below_noise_floor"] = error.below_noise_floor;
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/record/relight_economics.h"
+#include "common/effects/component.h"
 #include "common/method/stage_report.h"
 
 namespace gibench {
@@ -18,9 +19,9 @@ struct RelitFrame {
   std::vector<std::string> switched;  ///< names of materials
   double relight_seconds = 0.0, shade_seconds = 0.0;
   Termination termination = Termination::done;
-  std::map<std::string, ErrorTable> errors;  ///< by component
-  std::optional<PathTraced> reference;       ///< its indirect light, W/m²
-  Bounded path_tracing;                      ///< seconds to the same indirect error
+  std::map<Component, ErrorTable> errors;
+  std::optional<PathTraced> reference;  ///< its indirect light, W/m²
+  Bounded path_tracing;                 ///< seconds to the same indirect error
 };
 
 nlohmann::ordered_json relit_frame_json(const RelitFrame& frame);

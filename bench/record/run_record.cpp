@@ -62,10 +62,10 @@ Json measured_at(const ReferenceQuestion& question) {
   return json;
 }
 
-Json errors_of(const std::map<std::string, DomainErrors>& errors) {
+Json errors_of(const ComponentErrors& errors) {
   Json json = Json::object();
   for (const auto& [component, domains] : errors)
-    for (const auto& [domain, table] : domains) json[component][domain] = to_json(table);
+    for (const auto& [domain, table] : domains) json[to_string(component)][to_string(domain)] = to_json(table);
   return json;
 }
 
@@ -89,6 +89,12 @@ Json bounces_of(const std::vector<BounceErrors>& bounces) {
     list.push_back(std::move(entry));
   }
   return list;
+}
+
+Json completed_by(const std::vector<Component>& components) {
+  Json names = Json::array();
+  for (const Component component : components) names.push_back(to_string(component));
+  return {{"components", std::move(names)}, {"by", "shared direct-light evaluator"}};
 }
 
 Json memory_of(const RunRecord& record) {
@@ -144,8 +150,7 @@ Json to_json(const RunRecord& record) {
   json["measured_at"] = measured_at(record.question);
   json["effects"] = to_json(record.plan);
   json["light_paths"] = record.light_paths;
-  if (!record.completed.empty())
-    json["completed_by"] = {{"components", record.completed}, {"by", "shared direct-light evaluator"}};
+  if (!record.completed.empty()) json["completed_by"] = completed_by(record.completed);
   json["seconds"] = seconds_of(record);
   json["memory"] = memory_of(record);
   json["counters"] = counters_of(record.counters);

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "bench/record/reference_facts.h"
+#include "common/effects/component.h"
 #include "common/effects/effect_plan.h"
 #include "common/method/parameters.h"
 #include "common/method/stage_report.h"
+#include "common/metrics/domain.h"
 #include "common/metrics/errors.h"
 #include "common/reference/reference_store.h"
 
@@ -24,21 +26,21 @@ struct StageRecord {
   StageReport report;
 };
 
-/// Errors of one component: "surface" or "image" to its metrics.
-using DomainErrors = std::map<std::string, ErrorTable>;
+using DomainErrors = std::map<Domain, ErrorTable>;
+using ComponentErrors = std::map<Component, DomainErrors>;
 
 /// Total error in two: what the method's light paths lack, and what its discretisation adds on those paths.
 struct ErrorSplit {
-  std::map<std::string, DomainErrors> model;           ///< the reference of its paths against that of all paths
-  std::map<std::string, DomainErrors> discretisation;  ///< the method against the reference of its paths
-  ReferenceFacts reference;                            ///< the one of its paths
+  ComponentErrors model;           ///< the reference of its paths against that of all paths
+  ComponentErrors discretisation;  ///< the method against the reference of its paths
+  ReferenceFacts reference;        ///< the one of its paths
 };
 
 /// Both of them for the light of one number of reflections between a light and the surface asked about.
 struct BounceErrors {
   int bounce = 0;
-  std::optional<std::map<std::string, DomainErrors>> model;  ///< empty: the method has all paths of this bounce
-  std::map<std::string, DomainErrors> discretisation;
+  std::optional<ComponentErrors> model;  ///< empty: the method has all paths of this bounce
+  ComponentErrors discretisation;
 };
 
 struct RunRecord {
@@ -48,18 +50,18 @@ struct RunRecord {
   int threads = 1;
   ReferenceQuestion question;  ///< where the method was asked, and for which paths
   EffectPlan plan;
-  std::string light_paths;             ///< what it computes under the plan
-  bool complete = false;               ///< all paths of the scene
-  std::vector<std::string> completed;  ///< components that the shared evaluator answered for the method
-  double load_seconds = 0.0;           ///< reading the scene and building the ray backend
+  std::string light_paths;           ///< what it computes under the plan
+  bool complete = false;             ///< all paths of the scene
+  std::vector<Component> completed;  ///< what the shared evaluator answered for the method
+  double load_seconds = 0.0;         ///< reading the scene and building the ray backend
   std::vector<StageRecord> stages;
   std::size_t method_bytes = 0;  ///< 0: unknown
   Counters counters;
   std::vector<std::string> warnings;
-  std::optional<Exposure> exposure;            ///< at which its pictures are shown and FLIP was taken
-  std::map<std::string, DomainErrors> errors;  ///< by component: direct, indirect, total
-  std::optional<ReferenceFacts> reference;     ///< what the errors were taken against
-  std::optional<ErrorSplit> split;             ///< where it has not all paths, and both references are there
+  std::optional<Exposure> exposure;  ///< at which its pictures are shown and FLIP was taken
+  ComponentErrors errors;
+  std::optional<ReferenceFacts> reference;  ///< what the errors were taken against
+  std::optional<ErrorSplit> split;          ///< where it has not all paths, and both references are there
   std::vector<BounceErrors> per_bounce;
 };
 

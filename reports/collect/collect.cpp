@@ -4,6 +4,7 @@
 #include <set>
 
 #include "common/core/error.h"
+#include "common/core/enum_names.h"
 #include "reports/collect/json_reading.h"
 #include "reports/tables/format.h"
 
@@ -11,13 +12,6 @@ namespace gibench::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<RunStatus> status_of(const std::string& text) {
-  for (const RunStatus status :
-       {RunStatus::done, RunStatus::refused, RunStatus::timed_out, RunStatus::crashed, RunStatus::failed, RunStatus::skipped})
-    if (text == to_string(status)) return status;
-  return std::nullopt;
-}
 
 /// A path inside the study folder, or empty for one that leads out of it.
 fs::path inside(const fs::path& folder, const std::string& relative) {
@@ -89,7 +83,7 @@ StudyRun run_of(const Json& entry, Study& study) {
   run.folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + run.id));
 
   const std::string status = text_at(entry, "status").value_or("");
-  if (const auto known = status_of(status)) run.status = *known;
+  if (const auto known = find_named(all_statuses, status)) run.status = *known;
   else run.message = "unknown status '" + status + "' in the manifest" + (run.message.empty() ? "" : "; " + run.message);
 
   const fs::path file = run.folder / "result.json";
@@ -117,7 +111,7 @@ StudyRelight relight_of(const Json& entry, Study& study) {
   relight.lights = text_at(entry, "lights").value_or("");
   relight.parameters = facts_of(object_at(entry, "parameters"));
   relight.message = text_at(entry, "message").value_or("");
-  relight.status = status_of(text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
+  relight.status = find_named(all_statuses, text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
   if (relight.status != RunStatus::done) return relight;
   const fs::path folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + relight.id));
   try {

@@ -26,7 +26,8 @@ StudyRelight::Frame frame_of(const Json& entry) {
   frame.relight_seconds = number_at(seconds, "relight");
   frame.shade_seconds = number_at(seconds, "shade");
   for (const auto& [component, metrics] : object_at(entry, "errors").items())
-    if (const auto error = error_of(object_at(metrics, headline_metric))) frame.relative_rmse.emplace(component, *error);
+    if (const auto error = error_of(object_at(metrics, headline_metric)))
+      frame.relative_rmse.emplace(known_name(all_components, component), *error);
   return frame;
 }
 

@@ -39,7 +39,8 @@ std::map<ErrorKey, MeasuredError> errors_of(const Json& components) {
   for (const auto& [component, domains] : components.items())
     for (const auto& [domain, metrics] : domains.items())
       for (const auto& [metric, entry] : metrics.items())
-        if (const auto error = error_of(entry)) errors.emplace(ErrorKey{domain, component, metric}, *error);
+        if (const auto error = error_of(entry))
+          errors.emplace(ErrorKey{known_name(all_domains, domain), known_name(all_components, component), metric}, *error);
   return errors;
 }
 

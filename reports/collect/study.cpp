@@ -29,12 +29,12 @@ const MeasuredError* StudyRun::discretisation_error(const ErrorKey& key) const {
   return complete == true ? error(key) : find(discretisation_errors, key);
 }
 
-std::optional<double> StudyRun::transport_seconds(const std::string& domain) const {
+std::optional<double> StudyRun::transport_seconds(Domain domain) const {
   const auto stage = [this](const std::string& name) -> std::optional<double> {
     const auto found = seconds.find(name);
     return found == seconds.end() ? std::nullopt : std::optional(found->second);
   };
-  const auto of_domain = stage("shade_" + domain);
+  const auto of_domain = stage(std::string("shade_") + to_string(domain));
   const auto shade = of_domain ? of_domain : stage("shade");
   if (!shade) return std::nullopt;
   return stage("prepare").value_or(0.0) + stage("light").value_or(0.0) + *shade;

@@ -2,6 +2,7 @@
 /// is absent.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <filesystem>
@@ -11,14 +12,19 @@
 #include <utility>
 #include <vector>
 
+#include "common/effects/component.h"
+#include "common/metrics/domain.h"
+
 namespace gibench::report {
 
 /// Name and value as text, in the order of the file.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-/// Which error: component direct | indirect | total, domain surface | image, and the metric's name.
+/// Which error; the metric by its name.
 struct ErrorKey {
-  std::string domain, component, metric;
+  Domain domain = Domain::surface;
+  Component component = Component::indirect;
+  std::string metric;
   auto operator<=>(const ErrorKey&) const = default;
 };
 
@@ -30,6 +36,8 @@ struct MeasuredError {
 };
 
 enum class RunStatus { done, refused, timed_out, crashed, failed, skipped };
+inline constexpr std::array all_statuses{RunStatus::done,    RunStatus::refused, RunStatus::timed_out,
+                                         RunStatus::crashed, RunStatus::failed,  RunStatus::skipped};
 /// As in the manifest: "done", "timed_out", …
 const char* to_string(RunStatus status);
 
@@ -83,7 +91,7 @@ struct StudyRun {
   const MeasuredError* discretisation_error(const ErrorKey& key) const;
   /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not told
   /// apart). Reading the scene is the same for every method and left out.
-  std::optional<double> transport_seconds(const std::string& domain) const;
+  std::optional<double> transport_seconds(Domain domain) const;
 };
 
 /// A number within its 95% interval; an end that nothing bounds and a value that the reference's noise hides are absent.
@@ -108,7 +116,7 @@ struct StudyRelight {
     double at = 0.0;  ///< 0 for the first, 1 for the last
     std::vector<std::string> switched;
     std::optional<double> relight_seconds, shade_seconds;
-    std::map<std::string, MeasuredError> relative_rmse;  ///< by component, at the surface samples
+    std::map<Component, MeasuredError> relative_rmse;  ///< at the surface samples
   };
   std::vector<Frame> all_frames;
 

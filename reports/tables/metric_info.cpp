@@ -7,8 +7,9 @@
 namespace gibench::report {
 namespace {
 
-std::size_t position(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+template <class Item>
+std::size_t position(const std::vector<Item>& items, const Item& item) {
+  return static_cast<std::size_t>(std::find(items.begin(), items.end(), item) - items.begin());
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ double badness(const Metric& metric, double value) {
   return metric.better == Better::larger ? -value : plotted_value(metric, value);
 }
 
-ErrorKey usual_key() { return {"surface", "indirect", headline_metric}; }
+ErrorKey usual_key() { return {Domain::surface, Component::indirect, headline_metric}; }
 
 std::vector<ErrorKey> measured_keys(const Study& study) {
   std::set<ErrorKey> found;
@@ -47,7 +48,8 @@ std::vector<ErrorKey> measured_keys(const Study& study) {
   std::vector<std::string> metrics{headline_metric};
   for (const Metric& metric : all_metrics()) metrics.push_back(metric.name);
   const auto order = [&metrics](const ErrorKey& key) {
-    return std::tuple(position({"surface", "image"}, key.domain), position({"indirect", "total", "direct"}, key.component),
+    return std::tuple(position(std::vector{Domain::surface, Domain::image}, key.domain),
+                      position(std::vector{Component::indirect, Component::total, Component::direct}, key.component),
                       position(metrics, key.metric), key);
   };
   std::sort(keys.begin(), keys.end(), [&order](const ErrorKey& a, const ErrorKey& b) { return order(a) < order(b); });
@@ -55,14 +57,14 @@ std::vector<ErrorKey> measured_keys(const Study& study) {
 }
 
 std::string describe(const ErrorKey& key) {
-  if (key.domain == "surface") return key.component + " irradiance at the surface samples";
-  return key.domain == "image" ? key.component + " radiance in the camera image" : key.component + " light, " + key.domain;
+  const std::string component = to_string(key.component);
+  return component + (key.domain == Domain::surface ? " irradiance at the surface samples" : " radiance in the camera image");
 }
 
 std::string axis_title(const ErrorKey& key) {
   const Metric metric = metric_info(key.metric);
   if (metric.unit != MetricUnit::of_values) return metric.title;
-  return metric.title + (key.domain == "surface" ? " (W/m²)" : " (W/(m² sr))");
+  return metric.title + (key.domain == Domain::surface ? " (W/m²)" : " (W/(m² sr))");
 }
 
 }  // namespace gibench::report

@@ -112,8 +112,8 @@ std::vector<std::string> effects_in_order(const Study& study, const std::vector<
 /// The model error of the picture, or of the surface samples where there is none.
 Cell cost_cell(const StudyRun& run) {
   if (run.complete == true) return {"none", "0"};
-  for (const char* domain : {"image", "surface"})
-    if (const MeasuredError* error = run.model_error({domain, "total", headline_metric}))
+  for (const Domain domain : all_domains)
+    if (const MeasuredError* error = run.model_error({domain, Component::total, headline_metric}))
       return error_cell(metric_info(headline_metric), error);
   return text_cell("");
 }

@@ -62,7 +62,7 @@ Table relight_table(const Study& study) {
 
 Table relit_frame_table(const Study& study) {
   const Metric metric = metric_info(headline_metric);
-  const auto error_of = [&metric](const std::string& component) {
+  const auto error_of = [&metric](Component component) {
     return [&metric, component](const FrameRow& row) {
       const auto found = row.frame.relative_rmse.find(component);
       return error_cell(metric, found == row.frame.relative_rmse.end() ? nullptr : &found->second);
@@ -76,8 +76,8 @@ Table relit_frame_table(const Study& study) {
       .text("Switched", "switched", [](const FrameRow& row) { return fmt::format("{}", fmt::join(row.frame.switched, ", ")); })
       .seconds("Light", "relight_seconds", [](const FrameRow& row) { return row.frame.relight_seconds; })
       .seconds("Shade", "shade_seconds", [](const FrameRow& row) { return row.frame.shade_seconds; })
-      .cells({"Direct light", "direct_relative_rmse"}, error_of("direct"))
-      .cells({"Indirect light", "indirect_relative_rmse"}, error_of("indirect"));
+      .cells({"Direct light", "direct_relative_rmse"}, error_of(Component::direct))
+      .cells({"Indirect light", "indirect_relative_rmse"}, error_of(Component::indirect));
   std::vector<FrameRow> rows;
   for (const StudyRelight& relight : study.relights)
     for (const StudyRelight::Frame& frame : relight.all_frames) rows.push_back({relight, frame});

@@ -15,8 +15,9 @@ std::string speed_up_text(const SpeedUp& speed) {
   return fmt::format("{}{}{}", speed.at_least ? "≥ " : "", factor(speed.factor), speed.extrapolated ? " *" : "");
 }
 
-std::string shade_stage(const StudyRun& run, const std::string& domain) {
-  return run.seconds.contains("shade_" + domain) ? "shade_" + domain : "shade";
+std::string shade_stage(const StudyRun& run, Domain domain) {
+  const std::string of_domain = std::string("shade_") + to_string(domain);
+  return run.seconds.contains(of_domain) ? of_domain : "shade";
 }
 
 /// A run on the scene that a table is of.
@@ -120,8 +121,8 @@ Table error_table(const Study& study) {
   columns.text("Scene", "scene", [](const ErrorRow& row) { return row.run.scene; })
       .text("Run", "run", [](const ErrorRow& row) { return row.run.label; })
       .text("Method", "method", [](const ErrorRow& row) { return row.run.method; })
-      .text("Domain", "domain", [](const ErrorRow& row) { return row.key.domain; })
-      .text("Component", "component", [](const ErrorRow& row) { return row.key.component; })
+      .text("Domain", "domain", [](const ErrorRow& row) { return to_string(row.key.domain); })
+      .text("Component", "component", [](const ErrorRow& row) { return to_string(row.key.component); })
       .text("Metric", "metric", [](const ErrorRow& row) { return row.key.metric; })
       .rounded("Value", "value", [](const ErrorRow& row) { return row.error.value; })
       .rounded("Low", "ci95_low", [](const ErrorRow& row) { return row.error.low; })

@@ -92,8 +92,8 @@ Json run_json(const StudyRun& run, const std::vector<ErrorKey>& keys) {
   for (const auto& [stage, value] : run.seconds) seconds[stage] = value;
   for (const auto& [name, count] : run.counters) counters.push_back({name, large_count(count)});
   Json time = Json::object();
-  for (const std::string domain : {"surface", "image"})
-    if (const auto value = run.transport_seconds(domain)) time[domain] = *value;
+  for (const Domain domain : {Domain::surface, Domain::image})
+    if (const auto value = run.transport_seconds(domain)) time[to_string(domain)] = *value;
   return {{"id", run.id},
           {"label", run.label},
           {"scene", run.scene},
@@ -224,8 +224,8 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
     methods.push_back({{"name", style.method}, {"colour", style.colour}, {"shape", style.shape}, {"dash", style.dash}});
   for (const ErrorKey& key : keys) {
     metrics[key.metric] = metric_json(metric_info(key.metric));
-    key_list.push_back({{"domain", key.domain},
-                        {"component", key.component},
+    key_list.push_back({{"domain", to_string(key.domain)},
+                        {"component", to_string(key.component)},
                         {"metric", key.metric},
                         {"of", describe(key)},
                         {"axis", axis_title(key)}});

@@ -9,7 +9,7 @@
 namespace gibench::report {
 namespace {
 
-const ErrorKey key{"surface", "indirect", "relative_rmse"};
+const ErrorKey key{Domain::surface, Component::indirect, "relative_rmse"};
 
 StudyRun run_of(const std::string& scene, const std::string& method, const std::string& label, double seconds, double error) {
   StudyRun run;
@@ -76,7 +76,7 @@ TEST(SpeedUp, BelowTheNoiseFloorIsALowerBound) {
 TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
   const BaselineCurve curve({{1.0, 0.2}, {4.0, 0.1}}, -0.5);
   StudyRun run = run_of("a", "m", "m", 1.0, 0.1);
-  EXPECT_FALSE(speed_up(curve, run, {"image", "indirect", "relative_rmse"}));
+  EXPECT_FALSE(speed_up(curve, run, {Domain::image, Component::indirect, "relative_rmse"}));
   run.status = RunStatus::timed_out;
   EXPECT_FALSE(speed_up(curve, run, key));
   run.status = RunStatus::done;
@@ -87,10 +87,10 @@ TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
 TEST(TransportSeconds, AddsTheStagesOfTheDomain) {
   StudyRun run;
   run.seconds = {{"load", 100.0}, {"prepare", 1.0}, {"light", 2.0}, {"shade_surface", 4.0}, {"shade", 12.0}};
-  EXPECT_DOUBLE_EQ(*run.transport_seconds("surface"), 7.0);
-  EXPECT_DOUBLE_EQ(*run.transport_seconds("image"), 15.0);
+  EXPECT_DOUBLE_EQ(*run.transport_seconds(Domain::surface), 7.0);
+  EXPECT_DOUBLE_EQ(*run.transport_seconds(Domain::image), 15.0);
   run.seconds = {{"load", 1.0}, {"prepare", 1.0}};
-  EXPECT_FALSE(run.transport_seconds("surface"));
+  EXPECT_FALSE(run.transport_seconds(Domain::surface));
 }
 
 TEST(Ranking, GeometricMeanRanksAndFront) {

@@ -52,13 +52,13 @@ TEST_F(StudyFixture, CollectsWhatTheRecordsSay) {
   EXPECT_EQ(study.scenes[2].skipped, "its model is not on GIBENCH_PATH");
   const StudyRun& run = run_named(study, "run-1-5");
   EXPECT_EQ(run.label, "meshless 3 levels");
-  EXPECT_DOUBLE_EQ(*run.transport_seconds("surface"), 0.05);
+  EXPECT_DOUBLE_EQ(*run.transport_seconds(Domain::surface), 0.05);
   EXPECT_EQ(run.method_bytes, 200'000U);
   EXPECT_EQ(run.seed, 1U);
-  const MeasuredError* error = run.error({"surface", "indirect", "relative_rmse"});
+  const MeasuredError* error = run.error({Domain::surface, Component::indirect, "relative_rmse"});
   EXPECT_NEAR(error->value, 0.2 / std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(*error->low, error->value * 0.95, 1e-12);
-  EXPECT_EQ(run.error({"surface", "direct", "relative_rmse"}), nullptr);
+  EXPECT_EQ(run.error({Domain::surface, Component::direct, "relative_rmse"}), nullptr);
   EXPECT_THAT(run.effects->missing, ElementsAre("glossy_final_bounce"));
 }
 
@@ -70,7 +70,7 @@ const std::string& text_in(const Table& table, std::size_t row, const std::strin
 
 TEST_F(StudyFixture, ErrorsAreSplitInTwoParts) {
   const Study study = collect_study(folder_);
-  const ErrorKey key{"surface", "indirect", "relative_rmse"};
+  const ErrorKey key{Domain::surface, Component::indirect, "relative_rmse"};
   const StudyRun& meshless = run_named(study, "run-1-5");
   EXPECT_NEAR(meshless.model_error(key)->value, 0.05, 1e-12);
   EXPECT_NEAR(meshless.discretisation_error(key)->value, meshless.error(key)->value * 0.8, 1e-12);
@@ -86,7 +86,7 @@ TEST_F(StudyFixture, ErrorsAreSplitInTwoParts) {
   const Table bounces = bounce_table(study, key);
   ASSERT_EQ(bounces.rows.size(), 10U);
   EXPECT_THAT(text_in(bounces, 0, "discretisation_error"), HasSubstr("3.00 %"));
-  EXPECT_TRUE(split_table(study, {"surface", "magic", "rmse"}).rows.empty());
+  EXPECT_TRUE(split_table(study, {Domain::surface, Component::direct, "magic"}).rows.empty());
 }
 
 TEST_F(StudyFixture, ScenesSayWhatTheyCallForAndWhatIsMissingHasASize) {
@@ -127,6 +127,15 @@ TEST_F(StudyFixture, RecordOfTheWrongShapeIsAFailedRun) {
   }
 }
 
+TEST_F(StudyFixture, AnErrorOfUnknownLightIsAFailedRunThatNamesIt) {
+  std::ofstream(folder_ / "runs" / "run-1-1" / "result.json") << R"({"errors": {"magic": {"surface": {"rmse": {"value": 1}}}}})";
+  const Study study = collect_study(folder_);
+  const StudyRun& run = run_named(study, "run-1-1");
+  EXPECT_EQ(run.status, RunStatus::failed);
+  EXPECT_THAT(run.message, HasSubstr("unknown name 'magic'"));
+  EXPECT_THAT(run.message, HasSubstr("direct, indirect, total"));
+}
+
 TEST_F(StudyFixture, PathsThatLeadOutAreNotFollowed) {
   std::ofstream(folder_ / "manifest.json")
       << R"({"gibench_study": 1, "runs": [{"id": "a", "scene": "s", "method": "m", "status": "refused", "folder": "../x"}]})";
@@ -146,7 +155,7 @@ TEST_F(StudyFixture, WhatIsNoStudyIsRefused) {
 
 TEST_F(StudyFixture, SceneTableShowsADashForWhatWasNotMeasured) {
   const Study study = collect_study(folder_);
-  const Table table = scene_table(study, 0, {"surface", "indirect", "relative_rmse"});
+  const Table table = scene_table(study, 0, {Domain::surface, Component::indirect, "relative_rmse"});
   ASSERT_EQ(table.rows.size(), 9U);
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
   EXPECT_EQ(table.rows[0][0].text, "pathtracer 16 spp");
@@ -176,7 +185,7 @@ TEST_F(StudyFixture, TablesOfTheWholeStudy) {
 
 TEST_F(StudyFixture, DefaultErrorIsIndirectLightAtTheSurface) {
   const auto keys = measured_keys(collect_study(folder_));
-  EXPECT_EQ(keys.front(), (ErrorKey{"surface", "indirect", "relative_rmse"}));
+  EXPECT_EQ(keys.front(), (ErrorKey{Domain::surface, Component::indirect, "relative_rmse"}));
   EXPECT_EQ(keys.size(), 3U * 8U + 3U * 12U);
 }
 
