@@ -8,6 +8,7 @@
 #include "common/core/error.h"
 #include "common/scene/find_file.h"
 #include "common/scene/json_text.h"
+#include "common/scene/light_kinds.h"
 #include "common/scene/model_file.h"
 #include "common/scene/names.h"
 #include "common/scene/scene_parts.h"
@@ -56,11 +57,6 @@ void read_document(const json& document, const JsonPlace& top, const fs::path& f
     scene.exposure = read_exposure(*exposure, top["exposure"]);
 }
 
-void place_light(Light& light, const Vec3& position) {
-  if (auto* point = std::get_if<PointLight>(&light)) point->position = position;
-  if (auto* spot = std::get_if<SpotLight>(&light)) spot->position = position;
-}
-
 /// One object for each material of each node of the model.
 void add_model_objects(ModelFile& model, const std::string& place, SceneBuilder& builder) {
   Scene& scene = builder.scene();
@@ -92,7 +88,7 @@ Scene load_model_scene(const fs::path& file) {
   add_model_objects(model, file.string(), builder);
   builder.finish_geometry(file.string());
   for (ModelLight& light : model.lights) {
-    place_light(light.light, builder.to_local(light.position));
+    if (Vec3* position = parts_of(light.light).position) *position = builder.to_local(light.position);
     scene.lights.push_back(light.light);
   }
   for (ModelCamera& source : model.cameras) {
