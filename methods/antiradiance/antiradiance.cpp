@@ -77,8 +77,10 @@ class Antiradiance : public TransportMethod {
       case Mode::radiosity: return hides ? Visibility::traced : Visibility::none_needed;
       case Mode::implicit: return hides ? Visibility::nearest : Visibility::none_needed;
       case Mode::disc_bounce: return Visibility::shadow_passes;
-      default: return hides || has_lobes() ? Visibility::antiradiance : Visibility::none_needed;
+      case Mode::accessibility:
+      case Mode::antiradiance: break;
     }
+    return hides || has_lobes() ? Visibility::antiradiance : Visibility::none_needed;
   }
 
   void do_prepare(Task& task, StageReport& report) override {
