@@ -39,6 +39,10 @@ forbid '(common|methods|bench|scenes|tests)/' 'embree' "only the ray backend see
 forbid '(common|methods|bench|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
 check_methods
 
+# One kind picked out of a variant leaves the others unseen, and a new one forgotten: visit all of them.
+found=$(source_files | xargs -r grep -nE 'std::(get_if|holds_alternative)<' || true)
+if [ -n "$found" ]; then fault "$found"$'\n'"  std::visit with Overloaded (common/core/overloaded.h), so that a new kind does not compile"; fi
+
 while read -r file; do
   if ! grep -q '^#pragma once' "$file"; then fault "$file: a header starts with #pragma once"; fi
   if ! head -n 1 "$file" | grep -q '^///'; then fault "$file: a header's first line says what it holds (/// ...)"; fi
