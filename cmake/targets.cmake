@@ -2,7 +2,7 @@
 
 add_library(gibench_options INTERFACE)
 target_include_directories(gibench_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wswitch-enum
                        ${GIBENCH_FALSE_WARNINGS} $<$<BOOL:${GIBENCH_WARNINGS_AS_ERRORS}>:-Werror>
                        $<$<BOOL:${GIBENCH_ARCHITECTURE}>:-march=${GIBENCH_ARCHITECTURE}>
                        # Fused multiply-adds are contracted the same way in every build of one machine only where

@@ -15,6 +15,7 @@
 #include "common/effects/scene_effects.h"
 #include "common/geometry/geometry_report.h"
 #include "common/reference/scene_key.h"
+#include "common/scene/light_kinds.h"
 #include "methods/registry.h"
 
 namespace gibench {
@@ -57,11 +58,9 @@ Json bound_json(const SceneEffects& effects) {
 }
 
 Json lights_json(const LightCounts& lights) {
-  return {{"emitting_materials", lights.emitting_materials},
-          {"point", lights.point},
-          {"spot", lights.spot},
-          {"directional", lights.directional},
-          {"environment", lights.environment}};
+  Json json{{"emitting_materials", lights.emitting_materials}};
+  for (std::size_t kind = 0; kind < lights.of_kind.size(); ++kind) json[light_kinds()[kind].name] = lights.of_kind[kind];
+  return json;
 }
 
 Json cameras_json(const Scene& scene) {

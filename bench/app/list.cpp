@@ -10,6 +10,7 @@
 #include "bench/measure/scene_search.h"
 #include "bench/record/run_record.h"
 #include "common/core/error.h"
+#include "common/core/overloaded.h"
 #include "common/effects/effect_plan.h"
 #include "common/metrics/metric_table.h"
 #include "methods/registry.h"
@@ -26,8 +27,9 @@ struct ListOptions {
 
 Json parameter_json(const ParameterSpec& spec) {
   Json json{{"name", spec.name}, {"type", describe_type(spec)}, {"default", to_json(spec.default_value)}};
-  if (std::holds_alternative<std::int64_t>(spec.default_value) || std::holds_alternative<double>(spec.default_value))
-    json["minimum"] = spec.minimum, json["maximum"] = spec.maximum;
+  const Overloaded is_number{[](bool) { return false; }, [](std::int64_t) { return true; }, [](double) { return true; },
+                             [](const std::string&) { return false; }};
+  if (std::visit(is_number, spec.default_value)) json["minimum"] = spec.minimum, json["maximum"] = spec.maximum;
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   json["meaning"] = spec.meaning;
   return json;

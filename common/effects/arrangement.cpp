@@ -5,6 +5,7 @@
 
 #include "common/geometry/convexity.h"
 #include "common/geometry/mesh_topology.h"
+#include "common/scene/light_kinds.h"
 
 namespace gibench {
 
@@ -65,13 +66,8 @@ bool lights_may_be_hidden(const World& world, Arrangement arrangement, bool seal
   if (arrangement == Arrangement::general) return true;
   if (arrangement == Arrangement::no_mutual_sight) return false;
   for (const Light& light : lighting.lights) {
-    if (const auto* point = std::get_if<PointLight>(&light)) {
-      if (!is_inside(world, point->position)) return true;
-    } else if (const auto* spot = std::get_if<SpotLight>(&light)) {
-      if (!is_inside(world, spot->position)) return true;
-    } else if (!sealed) {
-      return true;
-    }
+    const Vec3* position = parts_of(light).position;
+    if (position != nullptr ? !is_inside(world, *position) : !sealed) return true;
   }
   return false;
 }

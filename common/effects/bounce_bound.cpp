@@ -5,27 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/scene/material_kinds.h"
+
 namespace gibench {
 
 namespace {
 
 constexpr int most_bounces = 1000;  // a bound beyond it spares nobody anything
-
-/// At normal incidence, channel by channel.
-Rgb straight_reflectance(const Material& m) {
-  switch (m.bsdf) {
-    case Bsdf::diffuse: return m.diffuse;
-    case Bsdf::phong: return m.diffuse + m.specular;
-    case Bsdf::ggx: return m.diffuse + m.f0;
-    case Bsdf::mirror: return m.reflectance;
-  }
-  return Rgb(1.0F);
-}
-
-/// Over all directions. The normalised Phong lobe reflects ks straight on and less aslant; Schlick's term grows to 1.
-double largest_reflectance(const Material& m) {
-  return double{m.bsdf == Bsdf::ggx ? largest(m.diffuse) + 1.0F : largest(straight_reflectance(m))};
-}
 
 /// The least n with share^(n+1) ≤ tolerance.
 std::optional<int> least_bounces(double share, double tolerance) {
@@ -52,10 +38,10 @@ Reflectances reflectances_of(const World& world) {
     if (!(area[m] > 0.0)) continue;
     const Material& material = scene.materials[m];
     result.area_weighted += area[m] / total * double{largest(straight_reflectance(material))};
-    if (const double most = largest_reflectance(material); most > result.largest) {
+    if (const double most{largest_reflectance(material)}; most > result.largest) {
       result.largest = most;
       result.brightest = material.name;
-      result.brightest_grazes = material.bsdf == Bsdf::ggx;
+      result.brightest_grazes = reflects_most_at_grazing(material.bsdf);
     }
   }
   return result;

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "common/core/overloaded.h"
+
 namespace gibench {
 
 namespace {
@@ -36,21 +38,22 @@ const char* to_string(Change change) {
 std::set<Change> changes_of(const Scene& scene) {
   std::set<Change> changes;
   std::vector<Material> materials = scene.materials;
-  for (const SceneEdit& edit : scene.edits) {
-    if (const auto* move = std::get_if<MoveEdit>(&edit);
-        move && (move->translate != Vec3d(0.0) || move->rotate_degrees != Vec3d(0.0)))
-      changes.insert(Change::motion);
-    if (std::holds_alternative<LightEdit>(edit)) changes.insert(Change::lights);
-    if (std::holds_alternative<DeformEdit>(edit)) changes.insert(Change::deformation);
-    const auto* material = std::get_if<MaterialEdit>(&edit);
-    if (material == nullptr) continue;
-    for (Material& current : materials)
-      if (current.name == material->material) {
-        compare(current, material->after, changes);
-        current = material->after;
-      }
-    if (find(materials, material->material) == nullptr) changes.insert(Change::material);
-  }
+  const Overloaded collect{
+      [&](const MoveEdit& move) {
+        if (move.translate != Vec3d(0.0) || move.rotate_degrees != Vec3d(0.0)) changes.insert(Change::motion);
+      },
+      [&](const MaterialEdit& edit) {
+        for (Material& current : materials)
+          if (current.name == edit.material) {
+            compare(current, edit.after, changes);
+            current = edit.after;
+          }
+        if (find(materials, edit.material) == nullptr) changes.insert(Change::material);
+      },
+      [&](const LightEdit&) { changes.insert(Change::lights); },
+      [&](const DeformEdit&) { changes.insert(Change::deformation); },
+  };
+  for (const SceneEdit& edit : scene.edits) std::visit(collect, edit);
   return changes;
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/core/error.h"
 #include "common/effects/sealed.h"
+#include "common/scene/light_kinds.h"
 
 namespace gibench {
 
@@ -14,17 +15,15 @@ namespace {
 std::string light_evidence(const SceneFacts& facts) {
   std::string text;
   const auto append = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  const auto count = [&](std::size_t number, const char* what) {
+  const auto count = [&](std::size_t number, const std::string& what) {
     if (number > 0) append(fmt::format("{} {}{}", number, what, number == 1 ? "" : "s"));
   };
   const LightCounts& lights = facts.lights;
   if (lights.emitting_materials > 0)
     append(fmt::format("{} emitting material{} ('{}')", lights.emitting_materials, lights.emitting_materials == 1 ? "" : "s",
                        facts.first_emitter));
-  count(lights.point, "point light");
-  count(lights.spot, "spot light");
-  count(lights.directional, "directional light");
-  count(lights.environment, "environment light");
+  for (std::size_t kind = 0; kind < lights.of_kind.size(); ++kind)
+    count(lights.of_kind[kind], light_kinds()[kind].name + std::string(" light"));
   return text;
 }
 
@@ -52,7 +51,7 @@ EffectEvidence glossy(Effect effect, const SceneFacts& facts, const std::string&
 }
 
 EffectEvidence environment(const SceneFacts& facts, bool sealed) {
-  if (facts.lights.environment == 0) return {Effect::environment, false, "no environment light"};
+  if (facts.lights.background() == 0) return {Effect::environment, false, "no environment light"};
   if (sealed) return {Effect::environment, false, "the scene is closed: nothing of its environment reaches a surface"};
   return {Effect::environment, true, "an environment light"};
 }
@@ -71,9 +70,7 @@ std::optional<int> smaller(std::optional<int> a, std::optional<int> b) { return 
 
 /// What lies at infinity gives a sealed scene nothing.
 Lighting without_the_outside(Lighting lighting) {
-  std::erase_if(lighting.lights, [](const Light& light) {
-    return std::holds_alternative<EnvironmentLight>(light) || std::holds_alternative<DirectionalLight>(light);
-  });
+  std::erase_if(lighting.lights, [](const Light& light) { return kind_of(light).at_infinity; });
   return lighting;
 }
 
@@ -97,7 +94,7 @@ SceneEffects analyse_effects(const World& world, const Lighting& lighting, const
   result.limits = limits;
   result.changes = changes_of(world.scene());
   SceneFacts facts(world, lighting);
-  result.sealed = facts.lights.environment + facts.lights.directional > 0 && is_sealed(world);
+  result.sealed = facts.lights.at_infinity() > 0 && is_sealed(world);
   const EffectEvidence sky = environment(facts, result.sealed);
   if (result.sealed) facts = SceneFacts(world, without_the_outside(lighting));
   const bool asked = limits.tolerance > 0.0;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "common/scene/light_kinds.h"
+#include "common/scene/material_kinds.h"
+
 namespace gibench {
 
 namespace {
@@ -12,41 +15,44 @@ bool is_grey(const Material& m) { return is_grey(m.diffuse) && is_grey(m.specula
 
 /// What a material does to light, besides diffusely.
 PathEvents glossy_event(const Material& m) {
-  switch (m.bsdf) {
-    case Bsdf::diffuse: return {};
-    case Bsdf::phong: return is_black(m.specular) ? PathEvents() : PathEvents(PathEvent::glossy_reflection);
-    case Bsdf::ggx: return PathEvent::glossy_reflection;  // Schlick's term reflects at grazing angles whatever f0 is
-    case Bsdf::mirror: return is_black(m.reflectance) ? PathEvents() : PathEvents(PathEvent::mirror_reflection);
+  switch (gloss_of(m)) {
+    case Gloss::none: return {};
+    case Gloss::lobe: return PathEvent::glossy_reflection;
+    case Gloss::mirror: return PathEvent::mirror_reflection;
   }
   return reflections;
 }
 
-bool is_dark(const EnvironmentLight& light) {
-  if (is_black(light.radiance)) return true;
-  if (!light.image) return false;
-  const auto& pixels = light.image->pixels;
-  return std::all_of(pixels.begin(), pixels.end(), [](const Rgb& p) { return is_black(p); });
+template <class Test>
+bool all_pixels(const EnvironmentImage& image, Test test) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(), test);
+}
+
+bool is_dark(const Light& light) {
+  const auto parts = parts_of(light);
+  if (is_black(*parts.strength)) return true;
+  return parts.image != nullptr && all_pixels(*parts.image, [](const Rgb& p) { return is_black(p); });
 }
 
 bool is_grey(const Light& light) {
-  if (const auto* point = std::get_if<PointLight>(&light)) return is_grey(point->intensity);
-  if (const auto* spot = std::get_if<SpotLight>(&light)) return is_grey(spot->intensity);
-  if (const auto* sun = std::get_if<DirectionalLight>(&light)) return is_grey(sun->irradiance);
-  const auto& sky = std::get<EnvironmentLight>(light);
-  if (!is_grey(sky.radiance) || !sky.image) return is_grey(sky.radiance);
-  const auto& pixels = sky.image->pixels;
-  return std::all_of(pixels.begin(), pixels.end(), [](const Rgb& p) { return is_grey(p); });
+  const auto parts = parts_of(light);
+  return is_grey(*parts.strength) &&
+         (parts.image == nullptr || all_pixels(*parts.image, [](const Rgb& p) { return is_grey(p); }));
 }
 
 LightCounts count_lights(const std::vector<Light>& lights) {
   LightCounts counts;
-  for (const Light& light : lights) {
-    if (const auto* point = std::get_if<PointLight>(&light); point && !is_black(point->intensity)) ++counts.point;
-    if (const auto* spot = std::get_if<SpotLight>(&light); spot && !is_black(spot->intensity)) ++counts.spot;
-    if (const auto* sun = std::get_if<DirectionalLight>(&light); sun && !is_black(sun->irradiance)) ++counts.directional;
-    if (const auto* sky = std::get_if<EnvironmentLight>(&light); sky && !is_dark(*sky)) ++counts.environment;
-  }
+  for (const Light& light : lights)
+    if (!is_dark(light)) ++counts.of_kind[light.index()];
   return counts;
+}
+
+template <class Test>
+std::size_t sum_over_kinds(const LightCounts& counts, Test test) {
+  std::size_t sum = 0;
+  for (std::size_t kind = 0; kind < counts.of_kind.size(); ++kind)
+    if (test(light_kinds()[kind])) sum += counts.of_kind[kind];
+  return sum;
 }
 
 /// m² of the faces of each material, one side.
@@ -59,6 +65,16 @@ std::vector<double> material_areas(const World& world) {
 }
 
 }  // namespace
+
+std::size_t LightCounts::punctual() const {
+  return sum_over_kinds(*this, [](const LightKind& kind) { return !kind.background; });
+}
+std::size_t LightCounts::background() const {
+  return sum_over_kinds(*this, [](const LightKind& kind) { return kind.background; });
+}
+std::size_t LightCounts::at_infinity() const {
+  return sum_over_kinds(*this, [](const LightKind& kind) { return kind.at_infinity; });
+}
 
 bool is_grey(const Lighting& lighting) {
   return std::all_of(lighting.lights.begin(), lighting.lights.end(), [](const Light& light) { return is_grey(light); }) &&
@@ -85,9 +101,9 @@ SceneFacts::SceneFacts(const World& world, const Lighting& lighting) : lights(co
   for (const Object& object : scene.objects)
     if (two_sided.empty() && object.two_sided && object.triangle_end > object.triangle_begin) two_sided = object.name;
   if (coloured.empty() && !is_grey(lighting)) coloured = "the lights";
-  if (lights.point + lights.spot + lights.directional > 0) events |= PathEvent::light;
+  if (lights.punctual() > 0) events |= PathEvent::light;
   if (lights.emitting_materials > 0) events |= PathEvent::emitter;
-  if (lights.environment > 0) events |= PathEvent::background;
+  if (lights.background() > 0) events |= PathEvent::background;
 }
 
 }  // namespace gibench

@@ -1,6 +1,7 @@
 /// What the parts of a scene say, counted once: the ground of the effect analysis.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,13 @@ namespace gibench {
 
 /// How many lights of each kind give light; black ones, and emitting materials without a surface, do not count.
 struct LightCounts {
-  std::size_t emitting_materials = 0, point = 0, spot = 0, directional = 0, environment = 0;
+  std::size_t emitting_materials = 0;
+  std::array<std::size_t, std::variant_size_v<Light>> of_kind{};  ///< in the order of light_kinds()
 
-  bool any() const { return emitting_materials + point + spot + directional + environment > 0; }
+  std::size_t punctual() const;
+  std::size_t background() const;
+  std::size_t at_infinity() const;
+  bool any() const { return emitting_materials + punctual() + background() > 0; }
   bool operator==(const LightCounts&) const = default;
 };
 

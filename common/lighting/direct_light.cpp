@@ -7,6 +7,7 @@
 #include "common/lighting/next_event.h"
 #include "common/lighting/scene_lights.h"
 #include "common/reflectance/bsdf.h"
+#include "common/scene/light_kinds.h"
 
 namespace gibench {
 
@@ -149,7 +150,7 @@ struct DirectLight::Impl {
 
   static std::size_t punctual_lights_of(const Lighting& lighting) {
     std::size_t count = 0;
-    for (const Light& light : lighting.lights) count += std::holds_alternative<EnvironmentLight>(light) ? 0U : 1U;
+    for (const Light& light : lighting.lights) count += kind_of(light).background ? 0U : 1U;
     return count;
   }
 

@@ -23,6 +23,19 @@ LightSample way_to_position(const Vec3& position, const Vec3& from) {
   return sample;
 }
 
+struct PowerOf {
+  double scene_radius;
+
+  double operator()(const PointLight& light) const { return 4.0 * pi_double * mean(light.intensity); }
+  double operator()(const SpotLight& light) const {
+    const double mean_cosine = 0.5 * (static_cast<double>(light.cos_inner) + static_cast<double>(light.cos_outer));
+    return 2.0 * pi_double * (1.0 - mean_cosine) * mean(light.intensity);
+  }
+  double operator()(const DirectionalLight& light) const {
+    return pi_double * scene_radius * scene_radius * mean(light.irradiance);
+  }
+};
+
 }  // namespace
 
 LightSample way_to(const PointLight& light, const Vec3& from) {
@@ -46,16 +59,7 @@ LightSample way_to(const DirectionalLight& light, const Vec3&) {
   return sample;
 }
 
-double power_of(const PointLight& light) { return 4.0 * pi_double * mean(light.intensity); }
-
-double power_of(const SpotLight& light) {
-  const double mean_cosine = 0.5 * (static_cast<double>(light.cos_inner) + static_cast<double>(light.cos_outer));
-  return 2.0 * pi_double * (1.0 - mean_cosine) * mean(light.intensity);
-}
-
-double power_of(const DirectionalLight& light, double scene_radius) {
-  return pi_double * scene_radius * scene_radius * mean(light.irradiance);
-}
+double power_of(const PunctualLight& light, double scene_radius) { return std::visit(PowerOf{scene_radius}, light); }
 
 Rgb spot_intensity(const SpotLight& light, const Vec3& leaving) {
   const float cosine = glm::dot(light.direction, leaving);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/lighting/punctual_lights.h"
+#include "common/core/overloaded.h"
 
 namespace gibench {
 
@@ -45,19 +45,16 @@ void SceneLights::add_lights(const World& world, const std::vector<Light>& light
     power_.push_back(power);
     source_.push_back(source++);
   };
-  const auto add_punctual = [&](const Punctual& light, double power) {
+  const auto add_punctual = [&](const PunctualLight& light) {
+    const double power = power_of(light, radius);
     if (!(power > 0.0)) return;
     punctual_.push_back(light);
     add(punctual == PunctualLights::sampled ? power : 0.0);
   };
-  for (const Light& light : lights) {
-    if (const auto* point = std::get_if<PointLight>(&light)) add_punctual(*point, power_of(*point));
-    if (const auto* spot = std::get_if<SpotLight>(&light)) add_punctual(*spot, power_of(*spot));
-    if (const auto* sun = std::get_if<DirectionalLight>(&light)) add_punctual(*sun, power_of(*sun, radius));
-  }
-  for (const Light& light : lights) {
-    const auto* environment = std::get_if<EnvironmentLight>(&light);
-    if (environment == nullptr) continue;
+  std::vector<const EnvironmentLight*> environments;
+  const Overloaded sort{add_punctual, [&](const EnvironmentLight& light) { environments.push_back(&light); }};
+  for (const Light& light : lights) std::visit(sort, light);
+  for (const EnvironmentLight* environment : environments) {
     EnvironmentSampler sampler(*environment);
     if (!(sampler.integral() > 0.0)) continue;
     add(sampler.integral() * pi_double * radius * radius);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 #include "common/core/sobol.h"
 #include "common/lighting/environment_sampler.h"
 #include "common/lighting/light_choice.h"
 #include "common/lighting/light_sample.h"
+#include "common/lighting/punctual_lights.h"
 #include "common/lighting/triangle_emitter.h"
 #include "common/ray/world.h"
 
@@ -52,8 +52,6 @@ class SceneLights {
   std::size_t bytes() const;
 
  private:
-  using Punctual = std::variant<PointLight, SpotLight, DirectionalLight>;
-
   void add_emitters(const World& world);
   void add_lights(const World& world, const std::vector<Light>& lights, PunctualLights punctual);
   LightSample sample_environment(const EnvironmentSampler& chosen, const Vec3& normal, Vec2 u) const;
@@ -62,7 +60,7 @@ class SceneLights {
   std::vector<Rgb> emission_;  ///< of every material
   std::vector<TriangleEmitter> emitters_;
   std::vector<std::uint32_t> emitter_of_triangle_;  ///< empty without emitters
-  std::vector<Punctual> punctual_;
+  std::vector<PunctualLight> punctual_;
   std::vector<EnvironmentSampler> environments_;
   std::vector<double> power_;          ///< W, while the choice is being built
   std::vector<std::uint32_t> source_;  ///< likewise

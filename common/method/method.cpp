@@ -11,6 +11,7 @@
 #include "common/core/error.h"
 #include "common/core/random.h"
 #include "common/effects/scene_effects.h"
+#include "common/scene/light_kinds.h"
 
 namespace gibench {
 
@@ -49,8 +50,8 @@ bool is_empty(const ShadeAnswer& answer) {
 Lighting lights_under(const EffectPlan& plan, const Lighting& lighting) {
   Lighting used = lighting;
   std::erase_if(used.lights, [&](const Light& light) {
-    const bool sky = std::holds_alternative<EnvironmentLight>(light), sun = std::holds_alternative<DirectionalLight>(light);
-    return (plan.sealed && (sky || sun)) || (sky && plan.forbids(Effect::environment));
+    const LightKind& kind = kind_of(light);
+    return (plan.sealed && kind.at_infinity) || (kind.background && plan.forbids(Effect::environment));
   });
   return used;
 }

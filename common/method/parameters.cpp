@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "common/core/error.h"
+#include "common/core/overloaded.h"
 
 namespace gibench {
 
@@ -19,26 +20,25 @@ bool parse_number(const std::string& text, T& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// The value that `text` stands for, in the type of the spec's default; nullopt-like empty result is `false`.
-bool parse_value(const ParameterSpec& spec, const std::string& text, ParameterValue& value) {
-  const auto in_range = [&](double number) { return std::isfinite(number) && number >= spec.minimum && number <= spec.maximum; };
-  if (std::holds_alternative<bool>(spec.default_value)) {
-    value = text == "true" || text == "1";
-    return text == "true" || text == "false" || text == "1" || text == "0";
+/// Makes `text` the value, in the type that it has; false where the text is of another type or out of range.
+struct Parse {
+  const ParameterSpec& spec;
+  const std::string& text;
+
+  bool operator()(bool& flag) const {
+    flag = text == "true" || text == "1";
+    return flag || text == "false" || text == "0";
   }
-  if (std::int64_t whole = 0; std::holds_alternative<std::int64_t>(spec.default_value)) {
-    if (!parse_number(text, whole) || !in_range(static_cast<double>(whole))) return false;
-    value = whole;
-    return true;
+  bool operator()(std::int64_t& whole) const { return parse_number(text, whole) && in_range(static_cast<double>(whole)); }
+  bool operator()(double& real) const { return parse_number(text, real) && in_range(real); }
+  bool operator()(std::string& word) const {
+    word = text;
+    return std::find(spec.choices.begin(), spec.choices.end(), text) != spec.choices.end();
   }
-  if (double real = 0.0; std::holds_alternative<double>(spec.default_value)) {
-    if (!parse_number(text, real) || !in_range(real)) return false;
-    value = real;
-    return true;
-  }
-  value = text;
-  return std::find(spec.choices.begin(), spec.choices.end(), text) != spec.choices.end();
-}
+
+ private:
+  bool in_range(double number) const { return std::isfinite(number) && number >= spec.minimum && number <= spec.maximum; }
+};
 
 std::string known_names(const ParameterSchema& schema) {
   std::vector<std::string> names;
@@ -56,7 +56,7 @@ Parameters::Parameters(const ParameterSchema& schema, const std::vector<std::pai
     const auto& text = setting.second;
     const auto spec = std::find_if(schema.begin(), schema.end(), [&](const ParameterSpec& s) { return s.name == name; });
     if (spec == schema.end()) throw InputError(place, fmt::format("unknown parameter '{}'", name), known_names(schema));
-    if (!parse_value(*spec, text, values_[name]))
+    if (!std::visit(Parse{*spec, text}, values_[name]))
       throw InputError(place, fmt::format("{}={} is not valid", name, text), "write a " + describe_type(*spec));
   }
 }
@@ -68,18 +68,19 @@ const ParameterValue& Parameters::value(std::string_view name) const {
 }
 
 std::string to_text(const ParameterValue& value) {
-  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const std::int64_t* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-  if (const double* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
-  return std::get<std::string>(value);
+  return std::visit(Overloaded{[](bool flag) -> std::string { return flag ? "true" : "false"; },
+                               [](std::int64_t whole) { return std::to_string(whole); },
+                               [](double real) { return fmt::format("{}", real); }, [](const std::string& word) { return word; }},
+                    value);
 }
 
 std::string describe_type(const ParameterSpec& spec) {
-  if (std::holds_alternative<bool>(spec.default_value)) return "true|false";
-  if (std::holds_alternative<std::int64_t>(spec.default_value))
-    return fmt::format("whole number {:.0f}..{:.0f}", spec.minimum, spec.maximum);
-  if (std::holds_alternative<double>(spec.default_value)) return fmt::format("real number {}..{}", spec.minimum, spec.maximum);
-  return fmt::format("word, one of {}", fmt::join(spec.choices, "|"));
+  return std::visit(
+      Overloaded{[](bool) -> std::string { return "true|false"; },
+                 [&](std::int64_t) { return fmt::format("whole number {:.0f}..{:.0f}", spec.minimum, spec.maximum); },
+                 [&](double) { return fmt::format("real number {}..{}", spec.minimum, spec.maximum); },
+                 [&](const std::string&) { return fmt::format("word, one of {}", fmt::join(spec.choices, "|")); }},
+      spec.default_value);
 }
 
 }  // namespace gibench

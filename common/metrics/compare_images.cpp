@@ -57,7 +57,7 @@ ImageComparison compare_images(const ImageFile& reference, const std::string& re
   const std::vector<Rgb> shown = display_values(test.image.pixels, exposure);
   const std::vector<Rgb> shown_reference = display_values(reference.image.pixels, exposure);
   for (const Metric& metric : all_metrics()) {
-    const auto* of_pictures = std::get_if<PictureMetric>(&metric.function);
+    const auto* of_pictures = picture_metric(metric);
     if (!of_pictures || !of_pictures->of_displayed) continue;
     if (const auto value = of_pictures->of_displayed(reference.image.width, reference.image.height, shown, shown_reference))
       comparison.values[metric.name] = *value;

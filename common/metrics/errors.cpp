@@ -94,7 +94,7 @@ ErrorValue error_of(const ValueMetric& metric, const MetricEstimate& estimate, c
 template <class Use>
 void for_each_estimate(std::span<const Rgb> values, const ReferenceMeans& means, const Use& use) {
   for (const Metric& metric : all_metrics())
-    if (const auto* of_values = std::get_if<ValueMetric>(&metric.function))
+    if (const auto* of_values = value_metric(metric))
       if (const auto estimate = of_values->estimate(values, means)) use(metric.name, *of_values, *estimate);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/core/overloaded.h"
 #include "common/metrics/display_metrics.h"
 #include "common/metrics/picture_errors.h"
 
@@ -88,6 +89,18 @@ const std::vector<Metric>& all_metrics() {
        .function = PictureMetric{hdr_flip_error}},
   };
   return metrics;
+}
+
+const ValueMetric* value_metric(const Metric& metric) {
+  return std::visit(Overloaded{[](const ValueMetric& found) { return &found; },
+                               [](const PictureMetric&) -> const ValueMetric* { return nullptr; }},
+                    metric.function);
+}
+
+const PictureMetric* picture_metric(const Metric& metric) {
+  return std::visit(Overloaded{[](const PictureMetric& found) { return &found; },
+                               [](const ValueMetric&) -> const PictureMetric* { return nullptr; }},
+                    metric.function);
 }
 
 const Metric* find_metric(std::string_view name) {

@@ -67,6 +67,9 @@ struct Metric {
 
 /// In the order in which they are listed.
 const std::vector<Metric>& all_metrics();
+/// The function of a metric of linear values, or of pictures; null where it is one of the other.
+const ValueMetric* value_metric(const Metric& metric);
+const PictureMetric* picture_metric(const Metric& metric);
 /// Null where there is none of this name.
 const Metric* find_metric(std::string_view name);
 

@@ -141,7 +141,7 @@ ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, co
   comparison.shown = displayed(comparison.linear, exposure.value);
   ErrorTable table;
   for (const Metric& metric : all_metrics())
-    if (const auto* of_pictures = std::get_if<PictureMetric>(&metric.function))
+    if (const auto* of_pictures = picture_metric(metric))
       if (const auto error = of_pictures->error(comparison)) table[metric.name] = *error;
   return table;
 }

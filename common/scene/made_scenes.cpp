@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/core/random.h"
+#include "common/scene/light_kinds.h"
 #include "common/scene/tessellate.h"
 
 namespace gibench::made {
@@ -28,23 +29,17 @@ glm::mat3 rotation_matrix(const Vec3& axis, float degrees) {
   return glm::mat3(glm::rotate(glm::mat4(1.0F), glm::radians(degrees), axis));
 }
 
-struct LightMover {
+struct Move {
   glm::mat3 rotation;
   float scale;
   Vec3 translation;
 
   Vec3 point(const Vec3& p) const { return rotation * (scale * p) + translation; }
-  void operator()(PointLight& light) const {
-    light.position = point(light.position);
-    light.intensity *= scale * scale;
+  void light(Light& light) const {
+    const LightParts<Light> parts = parts_of(light);
+    if (parts.position != nullptr) *parts.position = point(*parts.position), *parts.strength *= scale * scale;
+    if (parts.direction != nullptr) *parts.direction = rotation * *parts.direction;
   }
-  void operator()(SpotLight& light) const {
-    light.position = point(light.position);
-    light.direction = rotation * light.direction;
-    light.intensity *= scale * scale;
-  }
-  void operator()(DirectionalLight& light) const { light.direction = rotation * light.direction; }
-  void operator()(EnvironmentLight&) const {}
 };
 
 }  // namespace
@@ -143,9 +138,9 @@ Scene box_scene(const BoxOptions& options) {
 }
 
 Scene transformed(Scene scene, float scale, const Vec3& rotation_axis, float degrees, const Vec3& translation) {
-  const LightMover move{rotation_matrix(glm::normalize(rotation_axis), degrees), scale, translation};
+  const Move move{rotation_matrix(glm::normalize(rotation_axis), degrees), scale, translation};
   for (Vec3& vertex : scene.vertices) vertex = move.point(vertex);
-  for (Light& light : scene.lights) std::visit(move, light);
+  for (Light& light : scene.lights) move.light(light);
   for (Camera& camera : scene.cameras) {
     camera.position = move.point(camera.position);
     camera.look_at = move.point(camera.look_at);

@@ -65,7 +65,7 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
   const bool by_direction = visibility == Visibility::antiradiance;
   if (by_direction || visibility == Visibility::nearest) linking.bins.emplace(settings.bins);
   const double fixed = static_cast<double>(parts.bytes()) + (by_direction ? table_bytes(parts, linking.bins->count()) : 0.0);
-  if (fixed > settings.memory_budget) {
+  if (fixed > settings.bytes_at_most()) {
     linking.refused = true;
     linking.warning = fmt::format("{} elements{} need {:.0f} MiB: raise the parameter memory_budget, or lower elements or bins",
                                   parts.elements.size(), by_direction ? fmt::format(" of {} bins", linking.bins->count()) : "",
@@ -90,7 +90,7 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
     rule.mean_radiosity = area > 0.0 ? static_cast<float>(sum / area) : 0.0F;
   }
   rule.most_links =
-      static_cast<std::size_t>((settings.memory_budget - fixed) / (by_direction ? bytes_a_masked_link : bytes_a_link));
+      static_cast<std::size_t>((settings.bytes_at_most() - fixed) / (by_direction ? bytes_a_masked_link : bytes_a_link));
   RefinementCounts counts;
   for (int attempt = 0; attempt < most_attempts && !task.cancelled(); ++attempt) {
     linking.links = make_links(parts.hierarchy, rule, task, counts);

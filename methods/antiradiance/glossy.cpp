@@ -5,40 +5,58 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/scene/material_kinds.h"
+
 namespace gibench::antiradiance {
 
 namespace {
 
-bool is_glossy_material(const Material& material) {
-  return material.bsdf == Bsdf::ggx || (material.bsdf == Bsdf::phong && !is_black(material.specular));
+/// Radians to where a lobe has fallen to a half; π for none.
+float lobe_radius(const Material& material) {
+  switch (material.bsdf) {
+    case Bsdf::diffuse: return pi;
+    case Bsdf::phong:  // cosⁿ θ = 1/2
+      return !is_black(material.specular) && material.exponent > 0.0F ? std::acos(std::pow(0.5F, 1.0F / material.exponent)) : pi;
+    case Bsdf::ggx:  // about tan θ = 1.3 α about the reflected direction
+      return std::atan(1.3F * material.roughness * material.roughness);
+    case Bsdf::mirror: return is_black(material.reflectance) ? pi : 0.0F;
+  }
+  return 0.0F;
+}
+
+/// The most that the part which is not diffuse reflects from one direction, channel by channel.
+Rgb most_reflected(const Material& material) {
+  switch (material.bsdf) {
+    case Bsdf::diffuse: return {};
+    case Bsdf::phong: return material.specular;
+    case Bsdf::ggx: return Rgb(1.0F);
+    case Bsdf::mirror: return material.reflectance;
+  }
+  return Rgb(1.0F);
 }
 
 }  // namespace
 
 std::string too_narrow_for_bins(const Material& material, int bins) {
-  if (material.bsdf == Bsdf::mirror && !is_black(material.reflectance))
+  if (gloss_of(material) == Gloss::mirror)
     return fmt::format("material '{}' is a mirror, whose reflections no directional bin can hold", material.name);
   const float bin_radius = 2.0F / static_cast<float>(bins);  // radians, of a cap with a bin's solid angle
-  // Where the lobe has fallen to a half: cosⁿ θ = 1/2; of a GGX lobe about tan θ = 1.3 α about the reflected direction.
-  float lobe_radius = pi;
-  if (material.bsdf == Bsdf::phong && !is_black(material.specular) && material.exponent > 0.0F)
-    lobe_radius = std::acos(std::pow(0.5F, 1.0F / material.exponent));
-  if (material.bsdf == Bsdf::ggx) lobe_radius = std::atan(1.3F * material.roughness * material.roughness);
-  if (lobe_radius >= 0.5F * bin_radius) return {};
+  const float radius = lobe_radius(material);
+  if (radius >= 0.5F * bin_radius) return {};
   return fmt::format(
       "the lobe of material '{}' (half-width {:.1f} degrees) is narrower than half a directional bin: raise the parameter bins",
-      material.name, lobe_radius * 180.0F / pi);
+      material.name, radius * 180.0F / pi);
 }
 
 GlossyReflection::GlossyReflection(const Scene& scene, std::span<const std::uint32_t> leaf_materials, const DirectionBins& bins)
     : bins_(bins), bsdf_of_material_(scene.materials.size(), -1) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    if (!is_glossy_material(scene.materials[i])) continue;
+    if (gloss_of(scene.materials[i]) != Gloss::lobe) continue;
     Material lobe = scene.materials[i];
     lobe.diffuse = Rgb();
     bsdf_of_material_[i] = static_cast<int>(bsdfs_.size());
     bsdfs_.emplace_back(lobe);
-    most_reflected_.push_back(lobe.bsdf == Bsdf::phong ? lobe.specular : Rgb(1.0F));
+    most_reflected_.push_back(most_reflected(lobe));
   }
   for (const std::uint32_t material : leaf_materials) bsdf_of_leaf_.push_back(bsdf_of_material_[material]);
 }

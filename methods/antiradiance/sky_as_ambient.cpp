@@ -1,9 +1,8 @@
 #include "methods/antiradiance/sky_as_ambient.h"
 
 #include <algorithm>
-#include <variant>
 
-#include "common/lighting/environment_sampler.h"
+#include "common/scene/light_kinds.h"
 
 namespace gibench::antiradiance {
 
@@ -12,13 +11,13 @@ namespace {
 constexpr std::size_t samples_a_call = std::size_t{1} << 18, fewest_samples = 16, most_samples = 1024;
 
 Lighting without_environments(Lighting lighting) {
-  std::erase_if(lighting.lights, [](const Light& light) { return std::holds_alternative<EnvironmentLight>(light); });
+  std::erase_if(lighting.lights, [](const Light& light) { return kind_of(light).background; });
   return lighting;
 }
 
 /// ∫ over the sphere by the pixels' solid angles; constant without an image.
-Rgb mean_radiance(const EnvironmentLight& light) {
-  if (!light.image) return light.radiance;
+Rgb mean_radiance(const LightParts<const Light>& light) {
+  if (light.image == nullptr) return *light.strength;
   RgbDouble sum;
   double weights = 0.0;
   for (int row = 0; row < light.image->height; ++row) {
@@ -30,7 +29,7 @@ Rgb mean_radiance(const EnvironmentLight& light) {
       weights += weight;
     }
   }
-  return weights > 0.0 ? Rgb(sum / weights) * light.radiance : Rgb();
+  return weights > 0.0 ? Rgb(sum / weights) * *light.strength : Rgb();
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ Rgb mean_radiance(const EnvironmentLight& light) {
 SkyAsAmbient::SkyAsAmbient(const World& world, const Lighting& lighting, const DirectLightOptions& options)
     : world_(world), others_(world, without_environments(lighting), options) {
   for (const Light& light : lighting.lights)
-    if (const auto* sky = std::get_if<EnvironmentLight>(&light)) radiance_ += mean_radiance(*sky);
+    if (kind_of(light).background) radiance_ += mean_radiance(parts_of(light));
 }
 
 Rgb SkyAsAmbient::answer(const SurfaceSample& sample, const Vec3* toward_viewer, std::uint64_t key, std::size_t of_samples,

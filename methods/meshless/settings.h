@@ -19,6 +19,7 @@ enum class DirectAnswer { shared, basis };
 
 inline constexpr int most_neighbours = 64;
 
+/// Each member is initialised with the default of its parameter.
 struct Settings {
   // Placement (section 6.1).
   int levels = 6;
@@ -33,14 +34,14 @@ struct Settings {
   double radius_limit = 4.0;  ///< largest radius of a basis function, in disc radii of its level
   int corrections = 1;        ///< repetitions of a level on its own points
   // Transport (section 6.3).
-  int rays = 512;            ///< of a gather
-  int coarsest_rays = 2048;  ///< of a gather on level 0, whose noise is what remains where light is smooth
-  double epsilon_e = 0.0;    ///< receiver threshold, share of the mean irradiance
-  double epsilon_omega = 0;  ///< sender threshold, sr
-  double noise_guard = 0.0;  ///< deviations of the estimates that a difference must exceed to be refined
-  int bounces = 0;           ///< most bounces computed one by one
-  double residual = 0.0;     ///< share of the solution that the bounces left out may hold
-  bool extrapolate = true;   ///< add the geometric tail once the bounces have settled into it
+  int rays = 512;                             ///< of a gather
+  int coarsest_rays = 2048;                   ///< of a gather on level 0, whose noise is what remains where light is smooth
+  double epsilon_e = 0.04;                    ///< receiver threshold, share of the mean irradiance
+  double epsilon_omega = 0.3141592653589793;  ///< sender threshold, sr
+  double noise_guard = 5.0;                   ///< deviations of the estimates that a difference must exceed to be refined
+  int bounces = 100;                          ///< most bounces computed one by one
+  double residual = 1e-3;                     ///< share of the solution that the bounces left out may hold
+  bool extrapolate = true;                    ///< add the geometric tail once the bounces have settled into it
   FirstBounce first_bounce = FirstBounce::automatic;
   DirectAnswer direct = DirectAnswer::shared;
   int direct_samples = 1;         ///< light samples at a hit, at least

@@ -7,6 +7,7 @@
 
 namespace gibench::pathtracer {
 
+/// Each member is initialised with the default of its parameter.
 struct Settings {
   std::uint64_t samples = 64;       ///< paths for each value
   std::uint64_t first_sample = 0;   ///< number of the first one: a run with those before it and this one join into one

@@ -1,16 +1,10 @@
 #include "methods/spectral/lobe_store.h"
 
+#include "common/scene/material_kinds.h"
+
 namespace gibench::spectral {
 
-bool has_lobe(const Material& material) {
-  switch (material.bsdf) {
-    case Bsdf::diffuse: return false;
-    case Bsdf::phong: return !is_black(material.specular);
-    case Bsdf::ggx: return true;
-    case Bsdf::mirror: return !is_black(material.reflectance);
-  }
-  return false;
-}
+bool has_lobe(const Material& material) { return gloss_of(material) != Gloss::none; }
 
 std::shared_ptr<const LobeHarmonics> LobeStore::lobe_of(const Material& material) {
   if (!has_lobe(material)) return nullptr;

@@ -20,24 +20,25 @@ enum class DirectAnswer {
   basis,   ///< as the transfer sees it: projected onto the basis (the paper's figure 5d)
 };
 
+/// Each member is initialised with the default of its parameter.
 struct Settings {
   // Sampling mesh.
-  int vertices = 0;  ///< wanted; sets the longest edge
-  double crease_degrees = 0.0;
+  int vertices = 8000;  ///< wanted; sets the longest edge
+  double crease_degrees = 40.0;
   // Basis (section 3.1 and 3.3).
-  int part_vertices = 0;
-  int basis_functions = 0;  ///< of the whole scene
+  int part_vertices = 1000;
+  int basis_functions = 1024;  ///< of the whole scene
   Laplacian laplacian = Laplacian::cotan;
   // Transfer (section 3.2).
   Mode mode = Mode::bounces;
-  int rays = 0;                    ///< of a vertex
-  double compression_error = 0.0;  ///< share of the indirect light that compression may add; 0: 32-bit, nothing dropped
+  int rays = 1024;                  ///< of a vertex
+  double compression_error = 0.01;  ///< share of the indirect light that compression may add; 0: 32-bit, nothing dropped
   // Relighting.
-  int bounces = 0;        ///< most bounces computed
-  double residual = 0.0;  ///< share of the solution that the bounces left out may hold
+  int bounces = 1000;      ///< most bounces computed
+  double residual = 1e-3;  ///< share of the solution that the bounces left out may hold
   DirectAnswer direct = DirectAnswer::shared;
-  int direct_points = 0;   ///< of a mesh triangle, where its direct light is taken
-  int direct_samples = 0;  ///< light samples at such a point
+  int direct_points = 4;   ///< of a mesh triangle, where its direct light is taken
+  int direct_samples = 1;  ///< light samples at such a point
 };
 
 ParameterSchema settings_schema();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/core/overloaded.h"
 #include "common/geometry/has_area.h"
 #include "methods/spectral/lobe_store.h"
 #include "methods/spectral/relighting.h"
@@ -98,8 +99,10 @@ class Spectral : public TransportMethod {
 
   /// Albedos and lobes change in place; what would need other slices or another matrix is prepared again.
   void do_edit(const SceneEdit& edit, const Lighting& lighting, Task& task, StageReport& report) override {
-    const bool lights_alone = std::holds_alternative<LightEdit>(edit);
-    const bool in_place = lights_alone || (std::holds_alternative<MaterialEdit>(edit) && slices_suffice());
+    const bool in_place =
+        std::visit(Overloaded{[](const LightEdit&) { return true; }, [&](const MaterialEdit&) { return slices_suffice(); },
+                              [](const MoveEdit&) { return false; }, [](const DeformEdit&) { return false; }},
+                   edit);
     if (!in_place) {
       do_prepare(task, report);
       if (succeeded(report.termination) && !task.cancelled()) do_light(lighting, task, report);

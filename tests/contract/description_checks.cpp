@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/core/error.h"
+#include "common/core/overloaded.h"
 #include "tests/contract/contract.h"
 
 namespace gibench::contract {
@@ -35,13 +36,11 @@ std::string refusal_of(const MethodEntry& entry, const std::string& name, const 
   }
 }
 
-void verify_range(const MethodEntry& entry, const ParameterSpec& spec, double value) {
+/// `below` and `above`: the numbers nearest to the range outside it.
+void verify_range(const MethodEntry& entry, const ParameterSpec& spec, double value, double below, double above) {
   if (!(spec.minimum <= value && value <= spec.maximum))
     throw Violation(
         fmt::format("the default of {} is {}, outside its range {}..{}", spec.name, value, spec.minimum, spec.maximum));
-  const bool whole = std::holds_alternative<std::int64_t>(spec.default_value);
-  const double below = whole ? spec.minimum - 1.0 : std::nextafter(spec.minimum, -std::numeric_limits<double>::infinity());
-  const double above = whole ? spec.maximum + 1.0 : std::nextafter(spec.maximum, std::numeric_limits<double>::infinity());
   for (const double outside : {below, above})
     if (const std::string message = refusal_of(entry, spec.name, fmt::format("{}", outside));
         message.find(spec.name) == std::string::npos)
@@ -52,8 +51,16 @@ void verify_parameter(const MethodEntry& entry, const ParameterSpec& spec) {
   if (!is_plain_name(spec.name, letters)) throw Violation(fmt::format("'{}' is no plain name of a parameter", spec.name));
   if (!is_one_line(spec.meaning)) throw Violation(spec.name + " does not say in one line what it means");
   if (!is_one_line(describe_type(spec))) throw Violation(spec.name + " does not describe its type");
-  if (const auto* whole = std::get_if<std::int64_t>(&spec.default_value)) verify_range(entry, spec, static_cast<double>(*whole));
-  if (const auto* real = std::get_if<double>(&spec.default_value)) verify_range(entry, spec, *real);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Overloaded verify{
+      [](bool) {},
+      [&](std::int64_t whole) { verify_range(entry, spec, static_cast<double>(whole), spec.minimum - 1.0, spec.maximum + 1.0); },
+      [&](double real) {
+        verify_range(entry, spec, real, std::nextafter(spec.minimum, -infinity), std::nextafter(spec.maximum, infinity));
+      },
+      [](const std::string&) {},
+  };
+  std::visit(verify, spec.default_value);
   const std::string text = to_text(spec.default_value);
   if (const std::string message = refusal_of(entry, spec.name, text); !message.empty())
     throw Violation(fmt::format("the default of {} is refused when it is written out: {}", spec.name, message));

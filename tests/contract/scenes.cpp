@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/geometry/surface_sampling.h"
+#include "common/scene/light_kinds.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench::contract {
@@ -136,12 +137,7 @@ Scene dark_box() {
 
 Lighting scaled(Lighting lighting, float factor) {
   for (Rgb& emission : lighting.emission) emission *= factor;
-  for (Light& light : lighting.lights) {
-    if (auto* point = std::get_if<PointLight>(&light)) point->intensity *= factor;
-    if (auto* spot = std::get_if<SpotLight>(&light)) spot->intensity *= factor;
-    if (auto* sun = std::get_if<DirectionalLight>(&light)) sun->irradiance *= factor;
-    if (auto* sky = std::get_if<EnvironmentLight>(&light)) sky->radiance *= factor;
-  }
+  for (Light& light : lighting.lights) *parts_of(light).strength *= factor;
   return lighting;
 }
 

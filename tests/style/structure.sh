@@ -96,6 +96,13 @@ check_signals() {
   if [ -n "$found" ]; then fault "$found"$'\n'"  only bench/app touches signals"; fi
 }
 
+# One kind picked out of a variant leaves the others unseen, and a new one forgotten: visit all of them.
+check_visits() {
+  local found
+  found=$(source_files | xargs -r grep -nE 'std::(get_if|holds_alternative)<' || true)
+  if [ -n "$found" ]; then fault "$found"$'\n'"  std::visit with Overloaded (common/core/overloaded.h), so that a new kind does not compile"; fi
+}
+
 check_length
 check_headers
 forbid 'common/' '(methods|bench|reports|tests|scenes)/' "common knows no method, no program, no test"
@@ -116,4 +123,5 @@ check_common
 check_rooms
 check_signals
 check_methods
+check_visits
 finish

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "common/core/names.h"
+#include "common/scene/light_kinds.h"
 #include "common/scene_io/assimp/model_file.h"
 
 namespace gibench {
@@ -10,8 +11,7 @@ namespace gibench {
 namespace {
 
 void place_light(Light& light, const Vec3& position) {
-  if (auto* point = std::get_if<PointLight>(&light)) point->position = position;
-  if (auto* spot = std::get_if<SpotLight>(&light)) spot->position = position;
+  if (Vec3* const place = parts_of(light).position) *place = position;
 }
 
 /// One object for each material of each node of the model.

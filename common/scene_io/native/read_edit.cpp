@@ -30,6 +30,7 @@ class EditReader {
       : folder_(folder), builder_(builder), materials_(builder.scene().materials), lights_(lights) {}
 
   SceneEdit read(const json& edit, const JsonPlace& place) {
+    static_assert(std::variant_size_v<SceneEdit> == 4, "every kind of edit is read here");
     if (edit.contains("move"))
       return MoveEdit{object_name(edit["move"], place["move"]), vector_or(edit, "translate", Vec3d(0.0)),
                       vector_or(edit, "rotate_degrees", Vec3d(0.0))};

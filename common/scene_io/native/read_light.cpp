@@ -7,6 +7,7 @@
 #include "common/core/find_file.h"
 #include "common/core/names.h"
 #include "common/image/image_file.h"
+#include "common/scene/light_kinds.h"
 #include "common/scene_io/native/read_values.h"
 
 namespace gibench {
@@ -16,20 +17,6 @@ namespace {
 using nlohmann::json;
 
 float cosine_of(double degrees) { return static_cast<float>(std::cos(degrees * pi_double / 180.0)); }
-
-SpotLight read_spot(const json& light, const JsonPlace& place, const SceneBuilder& builder) {
-  const double inner = light["inner_degrees"].get<double>(), outer = light["outer_degrees"].get<double>();
-  if (outer < inner)
-    throw InputError(place["outer_degrees"].text(), "the outer cone is narrower than the inner one",
-                     "make outer_degrees at least inner_degrees");
-  SpotLight spot;
-  spot.position = builder.to_local(read_vector(light["position"]));
-  spot.direction = Vec3(read_direction(light["direction"], place["direction"]));
-  spot.intensity = read_rgb(light["intensity"], place["intensity"]);
-  spot.cos_inner = cosine_of(inner);
-  spot.cos_outer = cosine_of(outer);
-  return spot;
-}
 
 /// Reads the picture; negative pixels become 0 with a warning, as filters of picture tools leave some.
 std::shared_ptr<const EnvironmentImage> read_picture(const std::filesystem::path& file, const JsonPlace& place, Scene& scene) {
@@ -54,30 +41,52 @@ std::shared_ptr<const EnvironmentImage> read_picture(const std::filesystem::path
   return picture;
 }
 
-EnvironmentLight read_environment(const json& light, const JsonPlace& place, const std::filesystem::path& folder, Scene& scene) {
-  EnvironmentLight environment;
-  if (!light.contains("file")) {
-    environment.radiance = read_rgb(light["radiance"], place["radiance"]);
-    return environment;
+/// Fills a light of each kind from its JSON.
+struct LightReader {
+  const json& from;
+  const JsonPlace& place;
+  const std::filesystem::path& folder;
+  SceneBuilder& builder;
+
+  void operator()(PointLight& light) const {
+    light.position = builder.to_local(read_vector(from["position"]));
+    light.intensity = read_rgb(from["intensity"], place["intensity"]);
   }
-  const JsonPlace file_place = place["file"];
-  const auto file = find_file(light["file"].get<std::string>(), folder, file_place.text());
-  environment.image = read_picture(file, file_place, scene);
-  if (light.contains("scale")) environment.radiance = read_rgb(light["scale"], place["scale"]);
-  environment.rotate_y_degrees = static_cast<float>(std::remainder(light.value("rotate_y_degrees", 0.0), 360.0));
-  return environment;
-}
+  void operator()(SpotLight& light) const {
+    const double inner = from["inner_degrees"].get<double>(), outer = from["outer_degrees"].get<double>();
+    if (outer < inner)
+      throw InputError(place["outer_degrees"].text(), "the outer cone is narrower than the inner one",
+                       "make outer_degrees at least inner_degrees");
+    light.position = builder.to_local(read_vector(from["position"]));
+    light.direction = Vec3(read_direction(from["direction"], place["direction"]));
+    light.intensity = read_rgb(from["intensity"], place["intensity"]);
+    light.cos_inner = cosine_of(inner);
+    light.cos_outer = cosine_of(outer);
+  }
+  void operator()(DirectionalLight& light) const {
+    light.direction = Vec3(read_direction(from["direction"], place["direction"]));
+    light.irradiance = read_rgb(from["irradiance"], place["irradiance"]);
+  }
+  void operator()(EnvironmentLight& light) const {
+    if (!from.contains("file")) {
+      light.radiance = read_rgb(from["radiance"], place["radiance"]);
+      return;
+    }
+    const JsonPlace file_place = place["file"];
+    const auto file = find_file(from["file"].get<std::string>(), folder, file_place.text());
+    light.image = read_picture(file, file_place, builder.scene());
+    if (from.contains("scale")) light.radiance = read_rgb(from["scale"], place["scale"]);
+    light.rotate_y_degrees = static_cast<float>(std::remainder(from.value("rotate_y_degrees", 0.0), 360.0));
+  }
+};
 
 }  // namespace
 
 Light read_light(const json& light, const JsonPlace& place, const std::filesystem::path& folder, SceneBuilder& builder) {
-  const auto type = light["type"].get<std::string>();
-  if (type == "spot") return read_spot(light, place, builder);
-  if (type == "environment") return read_environment(light, place, folder, builder.scene());
-  if (type == "point")
-    return PointLight{builder.to_local(read_vector(light["position"])), read_rgb(light["intensity"], place["intensity"])};
-  return DirectionalLight{Vec3(read_direction(light["direction"], place["direction"])),
-                          read_rgb(light["irradiance"], place["irradiance"])};
+  std::optional<Light> read = light_of_kind(light["type"].get<std::string>());
+  GIBENCH_CHECK(read.has_value(), "the schema lets only known kinds of light pass");
+  std::visit(LightReader{light, place, folder, builder}, *read);
+  return *read;
 }
 
 }  // namespace gibench

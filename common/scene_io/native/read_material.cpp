@@ -1,13 +1,13 @@
 #include "common/scene_io/native/read_material.h"
 
 #include <fmt/format.h>
-#include <array>
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "common/core/error.h"
 #include "common/core/names.h"
+#include "common/scene/material_kinds.h"
 #include "common/scene_io/native/read_values.h"
 
 namespace gibench {
@@ -19,24 +19,25 @@ using nlohmann::json;
 // Sums like 0.3 + 0.7 in single precision.
 constexpr float rounding_of_sums = 1e-6F;
 
-struct Kind {
-  const char* name;
-  Bsdf bsdf;
-  std::vector<std::string> keys;
-};
-
-const std::array<Kind, 4>& kinds() {
-  static const std::array<Kind, 4> all{{{"diffuse", Bsdf::diffuse, {"albedo", "emission"}},
-                                        {"phong", Bsdf::phong, {"diffuse", "specular", "exponent", "emission"}},
-                                        {"ggx", Bsdf::ggx, {"roughness", "f0", "diffuse", "emission"}},
-                                        {"mirror", Bsdf::mirror, {"reflectance", "emission"}}}};
-  return all;
+std::vector<std::string> keys_of(Bsdf bsdf) {
+  switch (bsdf) {
+    case Bsdf::diffuse: return {"albedo", "emission"};
+    case Bsdf::phong: return {"diffuse", "specular", "exponent", "emission"};
+    case Bsdf::ggx: return {"roughness", "f0", "diffuse", "emission"};
+    case Bsdf::mirror: return {"reflectance", "emission"};
+  }
+  return {};
 }
 
-const Kind& kind_of(Bsdf bsdf) {
-  for (const Kind& kind : kinds())
-    if (kind.bsdf == bsdf) return kind;
-  GIBENCH_CHECK(false, "every Bsdf is a kind of material");
+/// The keys whose sum is what the surface reflects straight on.
+const char* reflected_parts(Bsdf bsdf) {
+  switch (bsdf) {
+    case Bsdf::diffuse: return "albedo";
+    case Bsdf::phong: return "diffuse + specular";
+    case Bsdf::ggx: return "diffuse + f0";
+    case Bsdf::mirror: return "reflectance";
+  }
+  return "";
 }
 
 void set_keys(const json& from, Material& material, const JsonPlace& place) {
@@ -55,20 +56,18 @@ void set_keys(const json& from, Material& material, const JsonPlace& place) {
 
 /// A surface must not reflect more than it gets.
 void check_energy(const Material& material, const JsonPlace& place) {
-  const bool is_ggx = material.bsdf == Bsdf::ggx;
-  const float sum = largest(material.diffuse + (is_ggx ? material.f0 : material.specular));
+  const float sum = largest(straight_reflectance(material));
   if (sum > 1.0F + rounding_of_sums)
     throw InputError(place.text(),
-                     fmt::format("{} = {:.6g} is above 1: the surface would create energy",
-                                 is_ggx ? "diffuse + f0" : "diffuse + specular", sum),
+                     fmt::format("{} = {:.6g} is above 1: the surface would create energy", reflected_parts(material.bsdf), sum),
                      "lower one of them until no channel's sum is above 1");
 }
 
 void set_bsdf(const json& from, Material& material) {
   const auto name = from.find("bsdf");
   if (name == from.end()) return;
-  for (const Kind& kind : kinds())
-    if (*name == kind.name) material.bsdf = kind.bsdf;
+  for (const Bsdf bsdf : all_bsdfs)
+    if (*name == to_string(bsdf)) material.bsdf = bsdf;
 }
 
 }  // namespace
@@ -91,11 +90,11 @@ Material edited_material(const json& edit, const Material& before, const JsonPla
     after.emission = before.emission;
     set_bsdf(edit, after);
   }
-  const Kind& kind = kind_of(after.bsdf);
+  const std::vector<std::string> keys = keys_of(after.bsdf);
   for (const auto& [key, value] : edit.items())
-    if (key != "material" && key != "bsdf" && std::find(kind.keys.begin(), kind.keys.end(), key) == kind.keys.end())
-      throw InputError(place[key].text(), "a " + std::string(kind.name) + " material has no " + in_quotes(key),
-                       known_names("its keys", key, kind.keys));
+    if (key != "material" && key != "bsdf" && std::find(keys.begin(), keys.end(), key) == keys.end())
+      throw InputError(place[key].text(), "a " + std::string(to_string(after.bsdf)) + " material has no " + in_quotes(key),
+                       known_names("its keys", key, keys));
   set_keys(edit, after, place);
   check_energy(after, place);
   return after;

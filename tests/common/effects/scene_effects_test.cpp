@@ -214,7 +214,7 @@ TEST(SceneEffects, LightsAreToldByKind) {
   options.lights = {PointLight{{0.5F, 0.5F, 0.5F}, Rgb(1.0F)}, PointLight{{0.5F, 0.5F, 0.5F}, Rgb()},
                     SpotLight{{0.5F, 0.9F, 0.5F}, {0, -1, 0}, Rgb(1.0F), 0.9F, 0.8F}};
   const SceneEffects effects = analyse_effects(World(box_scene(options)));
-  EXPECT_EQ(effects.lights, (LightCounts{1, 1, 1, 0, 0}));
+  EXPECT_EQ(effects.lights, (LightCounts{1, {1, 1, 0, 0}}));
   EXPECT_THAT(effects[Effect::direct].why, HasSubstr("1 point light, 1 spot light"));
 }
 

@@ -42,8 +42,7 @@ TEST(MetricTable, EveryRowIsFoundByItsNameAndWhole) {
     EXPECT_TRUE(titles.insert(metric.title).second) << metric.title;
     EXPECT_FALSE(metric.meaning.empty()) << metric.name;
     EXPECT_NE(metric.better, Better::unknown) << metric.name;
-    if (const auto* of_values = std::get_if<ValueMetric>(&metric.function))
-      EXPECT_NE(of_values->estimate, nullptr) << metric.name;
+    if (const auto* of_values = value_metric(metric)) EXPECT_NE(of_values->estimate, nullptr) << metric.name;
     else EXPECT_NE(std::get<PictureMetric>(metric.function).error, nullptr) << metric.name;
   }
   EXPECT_NE(find_metric(headline_metric), nullptr);
