@@ -12,6 +12,7 @@
 #include "bench/verbs.h"
 #include "common/core/error.h"
 #include "common/effects/effect_plan.h"
+#include "common/method/method_session.h"
 #include "methods/registry.h"
 
 namespace gibench {
@@ -40,7 +41,7 @@ Json effect_names(const EffectSet& effects) {
 }
 
 Json method_json(const MethodEntry& entry) {
-  const Capabilities can = entry.make(Parameters(entry.schema, {}))->capabilities();
+  const Capabilities can = make_session(entry, Parameters(entry.schema, {}))->capabilities();
   Json parameters = Json::array();
   for (const ParameterSpec& spec : entry.schema) parameters.push_back(parameter_json(spec));
   return {{"name", entry.name},

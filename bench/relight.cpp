@@ -137,6 +137,7 @@ class Relighter {
 ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);
   require_relighting(choice);
+  require_irradiance(choice);
   const LoadedScene loaded = load_world(options.scene, common.threads);
   const std::vector<PathFrame> path = read_light_path(options.path, loaded.scene(), options.frames);
   RunLog log({}, common.quiet);

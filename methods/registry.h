@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench {
 

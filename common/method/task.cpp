@@ -4,19 +4,6 @@
 
 namespace gibench {
 
-const char* to_string(Termination t) {
-  switch (t) {
-    case Termination::done: return "done";
-    case Termination::converged: return "converged";
-    case Termination::bound_reached: return "bound reached";
-    case Termination::not_converged: return "not converged";
-    case Termination::out_of_budget: return "out of budget";
-    case Termination::cancelled: return "cancelled";
-    case Termination::invalid_output: return "invalid output";
-  }
-  return "unknown";
-}
-
 Counters Task::counters() const {
   Counters all = counters_;
   if (const std::uint64_t n = ray_counts_.closest_hit.load(); n > 0) all.add("closest_hit_rays", n);

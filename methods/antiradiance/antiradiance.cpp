@@ -57,31 +57,9 @@ class Antiradiance : public TransportMethod {
            (accessibility_ ? accessibility_->bytes() : 0);
   }
 
- private:
-  bool answers_accessibility() const { return settings_.mode == Mode::accessibility; }
-  bool simulates_indirect() const {
-    const EffectSet& simulated = plan().simulated;
-    return (simulated.contains(Effect::diffuse_indirect) || simulated.contains(Effect::glossy_chain) ||
-            simulated.contains(Effect::glossy_final_bounce)) &&
-           plan().max_bounces.value_or(1) > 0;
-  }
-  bool has_lobes() const {
-    return settings_.mode == Mode::antiradiance &&
-           (plan().simulated.contains(Effect::glossy_chain) || plan().simulated.contains(Effect::glossy_final_bounce));
-  }
-
-  Visibility visibility() const {
-    // Where nothing hides anything no directions are kept and no ray is traced for it, unless lobes need the directions.
-    const bool hides = plan().simulated.contains(Effect::occlusion) && arrangement_of(world()) == Arrangement::general;
-    switch (settings_.mode) {
-      case Mode::radiosity: return hides ? Visibility::traced : Visibility::none_needed;
-      case Mode::implicit: return hides ? Visibility::nearest : Visibility::none_needed;
-      case Mode::disc_bounce: return Visibility::shadow_passes;
-      default: return hides || has_lobes() ? Visibility::antiradiance : Visibility::none_needed;
-    }
-  }
-
-  void do_prepare(Task& task, StageReport& report) override {
+  void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport& report) override {
+    world_ = &world;
+    plan_ = plan;
     parts_.reset();
     linking_ = {};
     closure_.clear();
@@ -92,7 +70,7 @@ class Antiradiance : public TransportMethod {
       report.message = "no interreflection is called for: no elements made";
       return;
     }
-    parts_ = std::make_unique<Discretisation>(world(), settings_, task);
+    parts_ = std::make_unique<Discretisation>(world, settings_, task);
     task.count("elements", parts_->elements.size());
     task.count("elements_inside_geometry", parts_->elements.size() - parts_->hierarchy.leaf_count());
     task.count("nodes", parts_->hierarchy.size());
@@ -107,30 +85,15 @@ class Antiradiance : public TransportMethod {
     }
   }
 
-  /// Makes the links and what their form factors are held to.
-  void link(std::span<const float> radiosity, Task& task, StageReport& report) {
-    linking_ = make_linking(world(), *parts_, settings_, visibility(), radiosity, task);
-    report.message = linking_.warning;
-    if (linking_.refused) {
-      report.termination = Termination::out_of_budget;
-      return;
-    }
-    task.count("links", linking_.links.size());
-    task.count("link_bytes", linking_.links.bytes());
-    if (linking_.bins) task.count("bins", linking_.bins->count());
-    task.progress("form factors", 0.6);
-    if (task.cancelled()) return;
-    closure_ = closure_factors(*parts_, linking_, settings_, task);
-  }
-
-  void do_light(const Lighting& lighting, Task& task, StageReport& report) override {
+  void light(const PlannedLights& lights, Task& task, StageReport& report) override {
+    direct_light_ = &lights.direct;
     indirect_.clear();
     by_direction_.resize(0);
     if (answers_accessibility()) {
       DirectLightOptions options;
-      options.tests_visibility = tests_visibility();
+      options.tests_visibility = lights.direct.options().tests_visibility;
       options.glossy = !plan().forbids(Effect::glossy_final_bounce);
-      sky_.emplace(world(), lighting, options);
+      sky_.emplace(world(), lights.lighting, options);
       return;
     }
     if (!parts_ || direct_light().dark()) {
@@ -161,6 +124,69 @@ class Antiradiance : public TransportMethod {
     indirect_ = parts_->reconstruction.vertex_values(means);
   }
 
+  void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
+      RayStream rays = task.rays(world());
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const SurfaceSample& sample = request.samples[i];
+        const Vec3* viewer = request.quantity == Quantity::radiance ? &request.toward_viewer[i] : nullptr;
+        if (request.quantity == Quantity::accessibility) {
+          if (!answer.direct.empty()) answer.direct[i] = Rgb(accessibility_->at(world().ray_origin(sample), sample.normal));
+          if (!answer.indirect.empty()) answer.indirect[i] = Rgb();
+          continue;
+        }
+        if (!answer.direct.empty())
+          answer.direct[i] =
+              sky_->answer(sample, viewer, mix_keys(task.seed(), i), request.samples.size(), *accessibility_, rays);
+        if (!answer.indirect.empty()) answer.indirect[i] = indirect(sample, viewer, task.seed(), rays);
+      }
+    });
+  }
+
+ private:
+  const World& world() const { return *world_; }
+  const EffectPlan& plan() const { return plan_; }
+  const DirectLight& direct_light() const { return *direct_light_; }
+
+  bool answers_accessibility() const { return settings_.mode == Mode::accessibility; }
+  bool simulates_indirect() const {
+    const EffectSet& simulated = plan().simulated;
+    return (simulated.contains(Effect::diffuse_indirect) || simulated.contains(Effect::glossy_chain) ||
+            simulated.contains(Effect::glossy_final_bounce)) &&
+           plan().max_bounces.value_or(1) > 0;
+  }
+  bool has_lobes() const {
+    return settings_.mode == Mode::antiradiance &&
+           (plan().simulated.contains(Effect::glossy_chain) || plan().simulated.contains(Effect::glossy_final_bounce));
+  }
+
+  Visibility visibility() const {
+    // Where nothing hides anything no directions are kept and no ray is traced for it, unless lobes need the directions.
+    const bool hides = plan().simulated.contains(Effect::occlusion) && arrangement_of(world()) == Arrangement::general;
+    switch (settings_.mode) {
+      case Mode::radiosity: return hides ? Visibility::traced : Visibility::none_needed;
+      case Mode::implicit: return hides ? Visibility::nearest : Visibility::none_needed;
+      case Mode::disc_bounce: return Visibility::shadow_passes;
+      default: return hides || has_lobes() ? Visibility::antiradiance : Visibility::none_needed;
+    }
+  }
+
+  /// Makes the links and what their form factors are held to.
+  void link(std::span<const float> radiosity, Task& task, StageReport& report) {
+    linking_ = make_linking(world(), *parts_, settings_, visibility(), radiosity, task);
+    report.message = linking_.warning;
+    if (linking_.refused) {
+      report.termination = Termination::out_of_budget;
+      return;
+    }
+    task.count("links", linking_.links.size());
+    task.count("link_bytes", linking_.links.bytes());
+    if (linking_.bins) task.count("bins", linking_.bins->count());
+    task.progress("form factors", 0.6);
+    if (task.cancelled()) return;
+    closure_ = closure_factors(*parts_, linking_, settings_, task);
+  }
+
   Surfaces surfaces_of_leaves() {
     Surfaces surfaces;
     std::vector<std::uint32_t> materials;
@@ -186,25 +212,6 @@ class Antiradiance : public TransportMethod {
     }
     for (float& value : leaves) value += static_cast<float>(sum / static_cast<double>(leaves.size()));
     return pull(parts_->hierarchy, leaves);
-  }
-
-  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
-    task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
-      RayStream rays = task.rays(world());
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const SurfaceSample& sample = request.samples[i];
-        const Vec3* viewer = request.quantity == Quantity::radiance ? &request.toward_viewer[i] : nullptr;
-        if (request.quantity == Quantity::accessibility) {
-          if (!answer.direct.empty()) answer.direct[i] = Rgb(accessibility_->at(world().ray_origin(sample), sample.normal));
-          if (!answer.indirect.empty()) answer.indirect[i] = Rgb();
-          continue;
-        }
-        if (!answer.direct.empty())
-          answer.direct[i] =
-              sky_->answer(sample, viewer, mix_keys(task.seed(), i), request.samples.size(), *accessibility_, rays);
-        if (!answer.indirect.empty()) answer.indirect[i] = indirect(sample, viewer, task.seed(), rays);
-      }
-    });
   }
 
   /// See reconstruction.h.
@@ -237,6 +244,9 @@ class Antiradiance : public TransportMethod {
   }
 
   Settings settings_;
+  const World* world_ = nullptr;
+  EffectPlan plan_;
+  const DirectLight* direct_light_ = nullptr;  ///< of the last light()
   std::unique_ptr<Discretisation> parts_;
   Linking linking_;
   std::vector<float> closure_;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench::contract {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/core/error.h"
+#include "common/method/method_session.h"
 #include "tests/contract/contract.h"
 
 namespace gibench::contract {
@@ -69,7 +70,7 @@ void verify_the_entry_describes_itself(const MethodEntry& entry) {
   for (const auto& [what, text] :
        {std::pair{"summary", &entry.summary}, {"source", &entry.source}, {"light_paths", &entry.light_paths}})
     if (!is_one_line(*text)) throw Violation(fmt::format("its {} is not one line of text", what));
-  const Capabilities can = entry.make(Parameters(entry.schema, entry.quick))->capabilities();
+  const Capabilities can = make_session(entry, Parameters(entry.schema, entry.quick))->capabilities();
   if (can.effects.empty()) throw Violation("it simulates no effect");
   if (!can.quantities.contains(Quantity::radiance) && !can.quantities.contains(Quantity::irradiance))
     throw Violation("it answers neither radiance nor irradiance");

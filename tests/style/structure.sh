@@ -37,6 +37,7 @@ forbid 'methods/' '(bench|tests|scenes)/' "methods know neither the program nor 
 forbid 'bench/' 'tests/' "the program knows no tests" 'bench/micro/'
 forbid '(common|methods|bench|scenes|tests)/' 'embree' "only the ray backend sees Embree" 'common/ray/ray_backend\.cpp|bench/micro/'
 forbid '(common|methods|bench|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
+forbid '(bench|reports|scenes)/' 'common/method/method\.h' "callers use a MethodSession, never a method itself"
 check_methods
 
 while read -r file; do
