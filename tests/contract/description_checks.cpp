@@ -72,8 +72,10 @@ void verify_the_entry_describes_itself(const MethodEntry& entry) {
     if (!is_one_line(*text)) throw Violation(fmt::format("its {} is not one line of text", what));
   const Capabilities can = make_session(entry, Parameters(entry.schema, entry.quick))->capabilities();
   if (can.effects.empty()) throw Violation("it simulates no effect");
-  if (!can.quantities.contains(Quantity::radiance) && !can.quantities.contains(Quantity::irradiance))
-    throw Violation("it answers neither radiance nor irradiance");
+  if (!can.quantities.contains(Quantity::irradiance))
+    throw Violation("it does not answer irradiance, in which methods are compared at surface samples");
+  if (can.effects.contains(Effect::glossy_final_bounce) && !can.quantities.contains(Quantity::radiance))
+    throw Violation("it simulates glossy final bounces but does not answer radiance, in which alone they are seen");
   if (!can.direct && !can.indirect) throw Violation("it computes neither direct nor indirect light");
 }
 
