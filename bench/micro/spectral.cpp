@@ -21,7 +21,7 @@
 #include "common/core/random.h"
 #include "common/scene_io/load.h"
 #include "methods/spectral/relighting.h"
-#include "methods/spectral/transfer.h"
+#include "methods/spectral/transfer_making.h"
 #include "methods/spectral/transfer_rows.h"
 #include "methods/spectral/vertex_light.h"
 

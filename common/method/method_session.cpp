@@ -67,6 +67,7 @@ bool MethodSession::is_asked_for_nothing(const EffectPlan& plan) const {
 }
 
 StageReport MethodSession::prepare(const World& world, const EffectPlan& plan, Task& task) {
+  state_ = State::made;
   world_ = &world;
   plan_ = plan;
   direct_light_.reset();
@@ -128,6 +129,7 @@ void MethodSession::run_light(const Lighting& lighting, Task& task, StageReport&
 
 StageReport MethodSession::edit(const SceneEdit& edit, const World& after, const Lighting& lighting, Task& task) {
   GIBENCH_CHECK(state_ != State::made, "edit() comes after a prepare() that succeeded");
+  state_ = State::made;
   world_ = &after;
   StageReport report = timed_stage(task, [&](StageReport& r) { run_edit(edit, lighting, task, r); });
   state_ = succeeded(report.termination) ? State::lit : State::made;

@@ -118,7 +118,10 @@ ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference) 
 ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference, const Exposure& exposure) {
   const HalvedReference halves(reference);
   ErrorTable table = errors_of_values(pixels, halves);
-  table.merge(picture_errors(width, height, pixels, reference, exposure));
+  const PictureComparison comparison = compare_pictures(width, height, pixels, reference, exposure);
+  for (const Metric& metric : all_metrics())
+    if (const auto* of_pictures = picture_metric(metric))
+      if (const auto error = of_pictures->error(comparison)) table[metric.name] = *error;
   return table;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/core/rgb.h"
-#include "common/metrics/errors.h"
+#include "common/metrics/error_value.h"
 #include "common/metrics/value_metrics.h"
 
 namespace gibench {

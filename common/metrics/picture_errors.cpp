@@ -8,7 +8,6 @@
 #include "common/image/tone_mapping.h"
 #include "common/metrics/display_metrics.h"
 #include "common/metrics/hdr_flip.h"
-#include "common/metrics/metric_table.h"
 #include "common/metrics/value_metrics.h"
 
 namespace gibench {
@@ -134,16 +133,12 @@ std::optional<ErrorValue> hdr_flip_error(const PictureComparison& comparison) {
                          [](std::span<const Rgb> picture, float stops) { return tone_mapped(picture, stops, ToneMapper::aces); });
 }
 
-ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
-                          const Exposure& exposure) {
+PictureComparison compare_pictures(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
+                                   const Exposure& exposure) {
   GIBENCH_CHECK(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height), "one value for each pixel");
   PictureComparison comparison{width, height, exposure, pictures_of(pixels, reference), {}};
   comparison.shown = displayed(comparison.linear, exposure.value);
-  ErrorTable table;
-  for (const Metric& metric : all_metrics())
-    if (const auto* of_pictures = picture_metric(metric))
-      if (const auto error = of_pictures->error(comparison)) table[metric.name] = *error;
-  return table;
+  return comparison;
 }
 
 }  // namespace gibench

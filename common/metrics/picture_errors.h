@@ -36,9 +36,8 @@ std::optional<ErrorValue> ssim_error(const PictureComparison& comparison);
 std::optional<ErrorValue> flip_error(const PictureComparison& comparison);
 std::optional<ErrorValue> hdr_flip_error(const PictureComparison& comparison);
 
-/// Every metric of pictures in the table (metric_table.h) that is defined for them.
-ErrorTable picture_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
-                          const Exposure& exposure);
+PictureComparison compare_pictures(int width, int height, std::span<const Rgb> pixels, const Replicas& reference,
+                                   const Exposure& exposure);
 
 /// A metric taken against the mean of the reference, whose noise makes it larger, in quadrature: the low end of its
 /// interval goes down by as much, to √(low² − floor²), as far down as 0 where error and noise are alike.

@@ -6,6 +6,7 @@
 #include "common/geometry/has_area.h"
 #include "methods/spectral/lobe_store.h"
 #include "methods/spectral/relighting.h"
+#include "methods/spectral/transfer_making.h"
 #include "methods/spectral/vertex_light.h"
 
 namespace gibench {

@@ -3,13 +3,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "common/method/stage_report.h"
 #include "methods/spectral/basis.h"
 #include "methods/spectral/interpolation.h"
-#include "methods/spectral/settings.h"
 #include "methods/spectral/transfer_matrix.h"
 #include "methods/spectral/vertex_rays.h"
 
@@ -34,22 +31,5 @@ struct Transfer {
 
 /// The rays of the transfer's vertices.
 VertexRays rays_of(const World& world, const Transfer& transfer, int rays, std::uint64_t seed);
-
-/// What prepare() is to make, besides the settings.
-struct TransferWish {
-  std::vector<bool> glossy_objects;  ///< whose vertices get harmonic slices; empty: none
-  std::vector<Rgb4> reflectance;     ///< ρ/π of every object, 1/sr; for T*
-  int most_bounces = 0;              ///< in T*
-  bool occlusion = true;             ///< surfaces may hide one another; false: no visibility ray is traced
-};
-
-struct TransferMaking {
-  Transfer transfer;
-  Termination termination = Termination::done;
-  std::string message;
-};
-
-/// Counts parts, vertices, functions, coefficients and bytes in the task.
-TransferMaking make_transfer(const World& world, const Settings& settings, const TransferWish& wish, Task& task);
 
 }  // namespace gibench::spectral

@@ -6,10 +6,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/files.sh"
 # Sources without a header of their name: tests, programs, verbs and parts that one header of their folder lists.
 unpaired_sources='_test\.cpp$|(^|/)main\.cpp$|^tests/contract/[a-z]+_checks\.cpp$|^scenes/generators/make_scenes\.cpp$'
 unpaired_sources+='|^common/image/plugin/openimageio\.cpp$|^bench/micro/'
-unpaired_sources+='|^bench/(check|compare|list|query|reference|relight|report_verb|run|study|study_manifest|study_references)\.cpp$'
-unpaired_sources+='|^bench/report/(collect_relight|collect_result|outcome_tables|relight_tables|split_tables)\.cpp$'
+unpaired_sources+='|^bench/app/(check|compare|list|query|reference|relight|report|run|study)\.cpp$'
+unpaired_sources+='|^bench/study/(study_manifest|study_references)\.cpp$'
+unpaired_sources+='|^methods/antiradiance/[a-z_]+_strategy\.cpp$'
+unpaired_sources+='|^reports/collect/(collect_relight|collect_result)\.cpp$'
+unpaired_sources+='|^reports/tables/(outcome_tables|relight_tables|split_tables)\.cpp$'
 # The headers that list those parts.
-unpaired_headers='^bench/(verbs|study_runner)\.h$|^bench/report/(collect|error_reading|study_tables)\.h$|^tests/contract/contract\.h$'
+unpaired_headers='^bench/(app/verbs|study/study_runner)\.h$|^reports/(collect/(collect|error_reading)|tables/study_tables)\.h$'
+unpaired_headers+='|^methods/antiradiance/strategy\.h$|^tests/contract/contract\.h$'
 
 said=$(own_files | grep -E '\.(cpp|h|cpp\.in)$' | awk -v sources="$unpaired_sources" -v headers="$unpaired_headers" '
   function stem(path) { sub(/\.(h|cpp|cpp\.in)$/, "", path); return path }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "methods/spectral/relighting.h"
-#include "methods/spectral/transfer.h"
+#include "methods/spectral/transfer_making.h"
 #include "methods/spectral/transfer_rows.h"
 #include "tests/support/scene_builder.h"
 
