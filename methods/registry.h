@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench {
 

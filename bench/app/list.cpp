@@ -12,6 +12,7 @@
 #include "common/core/error.h"
 #include "common/core/overloaded.h"
 #include "common/effects/effect_plan.h"
+#include "common/method/method_session.h"
 #include "common/metrics/metric_table.h"
 #include "methods/registry.h"
 
@@ -42,7 +43,7 @@ Json effect_names(const EffectSet& effects) {
 }
 
 Json method_json(const MethodEntry& entry) {
-  const Capabilities can = entry.make(Parameters(entry.schema, {}))->capabilities();
+  const Capabilities can = make_session(entry, Parameters(entry.schema, {}))->capabilities();
   Json parameters = Json::array();
   for (const ParameterSpec& spec : entry.schema) parameters.push_back(parameter_json(spec));
   return {{"name", entry.name},

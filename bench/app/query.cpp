@@ -46,13 +46,10 @@ std::vector<SurfaceSample> surface_points(const World& world, const std::vector<
   return samples;
 }
 
-void check_quantities(const Capabilities& can, const std::vector<Query>& queries, const std::string& method) {
-  for (const Query& query : queries) {
-    const bool derived = query.quantity == Quantity::radiosity && can.quantities.contains(Quantity::irradiance);
-    if (!derived && !can.quantities.contains(query.quantity))
-      throw InputError(query.place, fmt::format("{} does not answer {}", method, to_string(query.quantity)),
-                       "ask another method");
-  }
+void check_quantities(const MethodSession& method, const std::vector<Query>& queries, const std::string& name) {
+  for (const Query& query : queries)
+    if (!method.answers(query.quantity))
+      throw InputError(query.place, fmt::format("{} does not answer {}", name, to_string(query.quantity)), "ask another method");
 }
 
 /// Answers of one method, lit once, to one group of queries of the same quantity.
@@ -65,8 +62,7 @@ void answer_group(const LitMethod& lit, const std::string& name, const std::vect
     asked.push_back(samples[i]);
     if (quantity == Quantity::radiance) toward_viewer.push_back(queries[i].direction);
   }
-  const Capabilities can = lit.method->capabilities();
-  const bool variance = can.variance && can.quantities.contains(quantity);
+  const bool variance = lit.method->knows_variance(quantity);
   std::vector<Rgb> direct(group.size()), indirect(group.size());
   std::vector<Rgb> direct_variance(variance ? group.size() : 0), indirect_variance = direct_variance,
                                                                  total_variance = direct_variance;
@@ -95,7 +91,7 @@ ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
   std::vector<Query> queries = parse_queries(read_file(options.points), options.points.string());
   const LoadedScene scene = load_world(options.scene, common.threads);
   const std::vector<SurfaceSample> samples = surface_points(*scene.world, queries);
-  check_quantities(choice.entry->make(choice.parameters)->capabilities(), queries, choice.entry->name);
+  check_quantities(*make_session(*choice.entry, choice.parameters), queries, choice.entry->name);
   RunLog log({}, common.quiet);
   std::map<std::optional<int>, std::map<Quantity, Group>> groups;
   for (std::size_t i = 0; i < queries.size(); ++i)

@@ -161,6 +161,7 @@ void print_relight_summary(const Json& summary) {
 ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);
   require_relighting(choice);
+  require_irradiance(choice);
   LoadedScene loaded = load_world(options.scene, common.threads);
   const std::vector<PathFrame> path = read_light_path(options.path, loaded.scene(), options.frames);
   RunLog log({}, common.quiet);

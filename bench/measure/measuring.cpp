@@ -13,12 +13,12 @@ namespace gibench {
 
 namespace {
 
-Answers shade(const TransportMethod& method, Quantity quantity, std::span<const SurfaceSample> samples,
+Answers shade(const MethodSession& method, Quantity quantity, std::span<const SurfaceSample> samples,
               std::span<const Vec3> toward_viewer, Task& task) {
   Answers answers;
   answers.direct.resize(samples.size());
   answers.indirect.resize(samples.size());
-  if (method.capabilities().variance) answers.total_variance.resize(samples.size());
+  if (method.knows_variance(quantity)) answers.total_variance.resize(samples.size());
   answers.report =
       method.shade({quantity, samples, toward_viewer}, {answers.direct, answers.indirect, {}, {}, answers.total_variance}, task);
   return answers;
@@ -80,11 +80,11 @@ std::vector<Rgb> Answers::total() const {
   return sum;
 }
 
-Answers shade_surface(const TransportMethod& method, const MeasuringPoints& points, Task& task) {
+Answers shade_surface(const MethodSession& method, const MeasuringPoints& points, Task& task) {
   return shade(method, Quantity::irradiance, points.surface, {}, task);
 }
 
-Answers shade_image(const TransportMethod& method, const MeasuringPoints& points, bool background, Task& task) {
+Answers shade_image(const MethodSession& method, const MeasuringPoints& points, bool background, Task& task) {
   const CameraPoints& camera = *points.camera;
   Answers answers = shade(method, Quantity::radiance, camera.samples, camera.toward_viewer, task);
   answers.direct = camera.pixel_means(answers.direct);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure/camera_points.h"
-#include "common/method/method.h"
+#include "common/method/method_session.h"
 #include "common/reference/reference_store.h"
 
 namespace gibench {
@@ -52,9 +52,9 @@ struct Answers {
   std::vector<Rgb> total() const;
 };
 /// A method that was lit, asked at the points; the report says whether the answers may be used.
-Answers shade_surface(const TransportMethod& method, const MeasuringPoints& points, Task& task);
+Answers shade_surface(const MethodSession& method, const MeasuringPoints& points, Task& task);
 /// `background`: light that comes straight from behind the scene belongs to the answer.
-Answers shade_image(const TransportMethod& method, const MeasuringPoints& points, bool background, Task& task);
+Answers shade_image(const MethodSession& method, const MeasuringPoints& points, bool background, Task& task);
 
 /// Throws WorkError, method and stage named, for a stage whose answer may not be used.
 void require_success(const StageReport& report, const std::string& method, const std::string& stage);

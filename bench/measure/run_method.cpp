@@ -56,12 +56,19 @@ MethodChoice choose_method(const std::string& name, const std::vector<std::strin
 }
 
 void require_relighting(const MethodChoice& choice, const std::string& place) {
-  if (choice.entry->make(choice.parameters)->capabilities().relights) return;
+  if (make_session(*choice.entry, choice.parameters)->capabilities().relights) return;
   std::string known;
   for (const MethodEntry& entry : all_methods())
-    if (entry.make(Parameters(entry.schema, {}))->capabilities().relights) known += (known.empty() ? "" : ", ") + entry.name;
+    if (make_session(entry, Parameters(entry.schema, {}))->capabilities().relights)
+      known += (known.empty() ? "" : ", ") + entry.name;
   throw InputError(place, fmt::format("{} does not relight: new lights cost it as much as a new scene", choice.entry->name),
                    known.empty() ? "no method does" : "known to relight: " + known);
+}
+
+void require_irradiance(const MethodChoice& choice) {
+  if (make_session(*choice.entry, choice.parameters)->answers(Quantity::irradiance)) return;
+  throw WorkError(fmt::format("{}{} does not answer irradiance, in which methods are compared at surface samples", refusal_prefix,
+                              choice.entry->name));
 }
 
 Task make_task(const WorkOptions& common, const std::string& title) {
@@ -76,7 +83,7 @@ Task make_task(const WorkOptions& common, const std::string& title) {
 }
 
 PlannedMethod plan_method(const SceneEffects& effects, const MethodChoice& choice, const std::string& light_paths) {
-  PlannedMethod planned{choice.entry->make(choice.parameters), {}, {}, false};
+  PlannedMethod planned{make_session(*choice.entry, choice.parameters), {}, {}, false};
   const Capabilities can = planned.method->capabilities();
   if (!light_paths.empty() && !can.any_light_paths)
     throw InputError("--light-paths", fmt::format("{} cannot choose its light paths", choice.entry->name),
@@ -99,7 +106,7 @@ LitMethod prepare_and_light(const World& world, const MethodChoice& choice, cons
                             std::optional<int> bounces, Task& task, RunLog& log) {
   const std::string& name = choice.entry->name;
   LitMethod lit;
-  if (const auto why = choice.entry->make(choice.parameters)->refusal(world.scene()))
+  if (const auto why = make_session(*choice.entry, choice.parameters)->refusal(world.scene()))
     throw WorkError(fmt::format("{}{} cannot work on scene '{}': {}", refusal_prefix, name, world.scene().name, *why));
   static_cast<PlannedMethod&>(lit) =
       plan_method(analyse_effects(world, limits_of(options, bounces)), choice, options.light_paths);
@@ -118,6 +125,7 @@ LitMethod prepare_and_light(const World& world, const MethodChoice& choice, cons
 
 RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
                       const PlanOptions& options, const WorkOptions& common, RunLog& log) {
+  require_irradiance(choice);
   const World& world = *scene.world;
   const std::string& name = choice.entry->name;
   const int threads = common.threads > 0 ? common.threads : hardware_threads();

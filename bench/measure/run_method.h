@@ -13,7 +13,7 @@
 #include "bench/measure/work_options.h"
 #include "bench/record/run_record.h"
 #include "common/effects/scene_effects.h"
-#include "common/method/method.h"
+#include "common/method/method_session.h"
 
 namespace gibench {
 
@@ -33,12 +33,15 @@ MethodChoice choose_method(const std::string& name, const std::vector<std::strin
 /// `place` is where the method is named.
 void require_relighting(const MethodChoice& choice, const std::string& place = "--method");
 
+/// Throws WorkError for a method that does not answer irradiance, in which methods are compared at surface samples.
+void require_irradiance(const MethodChoice& choice);
+
 /// The prefix of the message of a WorkError by which a refusal is told from a failure.
 inline constexpr const char* refusal_prefix = "refused: ";
 
 /// What a method is to simulate on a scene and the paths that this means.
 struct PlannedMethod {
-  std::unique_ptr<TransportMethod> method;
+  std::unique_ptr<MethodSession> method;
   EffectPlan plan;
   std::string light_paths;
   bool complete = false;  ///< all paths that the scene has, of the bounces asked for

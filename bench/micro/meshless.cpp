@@ -10,6 +10,7 @@
 #include "bench/micro/method_timing.h"
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
+#include "common/method/method_session.h"
 #include "common/scene/made_scenes.h"
 #include "methods/registry.h"
 
@@ -40,7 +41,7 @@ void meshless(benchmark::State& state, bool many) {
   const Arena& in = arena(many);
   const MethodEntry& entry = find_method("meshless");
   time_against_bare(state, in.bare, in.gathers, in.shadow_rays, threads, [&] {
-    const auto method = entry.make(Parameters(entry.schema, {}));
+    const auto method = make_session(entry, Parameters(entry.schema, {}));
     Task task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}});
     const EffectPlan plan = plan_effects(analyse_effects(in.world), method->capabilities().effects);
     const double start = process_seconds();

@@ -11,6 +11,7 @@
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "common/scene/made_scenes.h"
 #include "methods/registry.h"
 
@@ -43,7 +44,7 @@ void path_tracer(benchmark::State& state, bool many) {
   const auto threads = static_cast<int>(state.range(0));
   const Arena& in = arena(many);
   const MethodEntry& entry = find_method("pathtracer");
-  const auto method = entry.make(Parameters(entry.schema, {}));
+  const auto method = make_session(entry, Parameters(entry.schema, {}));
   Task task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}});
   const EffectPlan plan = plan_effects(analyse_effects(in.world), method->capabilities().effects);
   method->prepare(in.world, plan, task);

@@ -185,6 +185,8 @@ Rgb DirectLight::environment(const Vec3& direction) const { return impl_->lights
 
 bool DirectLight::dark() const { return impl_->lights.empty(); }
 
+const DirectLightOptions& DirectLight::options() const { return impl_->options; }
+
 Rgb DirectLight::irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const {
   if (!sample.lit_side || dark()) return Rgb();
   return impl_->gather(impl_->sensor, sample, {0.0F, 0.0F, 1.0F}, key, samples, rays);

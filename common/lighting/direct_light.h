@@ -30,6 +30,7 @@ class DirectLight {
   Rgb environment(const Vec3& direction) const;
   /// Whether there is no light at all.
   bool dark() const;
+  const DirectLightOptions& options() const;
 
   /// Irradiance on the sample's side straight from all lights, W/m²: point, spot and directional lights exactly, one
   /// shadow ray each (up to 64 of them, else sampled); the rest by an unbiased estimate of `samples` light samples and as

@@ -35,9 +35,9 @@ class AccessibilityStrategy : public Strategy {
     task.count("blockers", accessibility_->evaluations());
   }
 
-  void light(const World& world, const EffectPlan& plan, const SceneLighting& lights, Task&, StageReport&) override {
+  void light(const World& world, const EffectPlan& plan, const PlannedLights& lights, Task&, StageReport&) override {
     DirectLightOptions options;
-    options.tests_visibility = lights.tests_visibility;
+    options.tests_visibility = lights.direct.options().tests_visibility;
     options.glossy = !plan.forbids(Effect::glossy_final_bounce);
     sky_.emplace(world, lights.lighting, options);
   }

@@ -27,19 +27,25 @@ class Antiradiance : public TransportMethod {
 
   std::size_t bytes() const override { return strategy_->bytes(); }
 
+  void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport& report) override {
+    world_ = &world;
+    plan_ = plan;
+    strategy_->prepare(world, plan, task, report);
+  }
+
+  void light(const PlannedLights& lights, Task& task, StageReport& report) override {
+    strategy_->light(*world_, plan_, lights, task, report);
+  }
+
+  void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    strategy_->shade(*world_, request, answer, task);
+  }
+
  private:
-  void do_prepare(Task& task, StageReport& report) override { strategy_->prepare(world(), plan(), task, report); }
-
-  void do_light(const Lighting& lighting, Task& task, StageReport& report) override {
-    strategy_->light(world(), plan(), {lighting, direct_light(), tests_visibility()}, task, report);
-  }
-
-  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
-    strategy_->shade(world(), request, answer, task);
-  }
-
   std::unique_ptr<Strategy> strategy_;
   Capabilities capabilities_;
+  const World* world_ = nullptr;
+  EffectPlan plan_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 /// Disc elements: ambient accessibility, one bounce, and hierarchical radiosity with traced, implicit or no visibility.
 #pragma once
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench {
 

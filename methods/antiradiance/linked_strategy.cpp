@@ -64,7 +64,7 @@ void LinkedStrategy::link(const World& world, const EffectPlan& plan, std::span<
   closure_ = closure_factors(*parts_, linking_, settings(), task);
 }
 
-void LinkedStrategy::light(const World& world, const EffectPlan& plan, const SceneLighting& lights, Task& task,
+void LinkedStrategy::light(const World& world, const EffectPlan& plan, const PlannedLights& lights, Task& task,
                            StageReport& report) {
   indirect_.clear();
   clear_light();

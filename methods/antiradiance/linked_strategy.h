@@ -16,7 +16,7 @@ class LinkedStrategy : public Strategy {
 
   Capabilities capabilities() const override;
   void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport& report) override;
-  void light(const World& world, const EffectPlan& plan, const SceneLighting& lights, Task& task, StageReport& report) override;
+  void light(const World& world, const EffectPlan& plan, const PlannedLights& lights, Task& task, StageReport& report) override;
   void shade(const World& world, const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const override;
   std::size_t bytes() const override;
 

@@ -10,13 +10,6 @@
 
 namespace gibench::antiradiance {
 
-/// The lights of a scene, and the shared evaluator of light straight from them.
-struct SceneLighting {
-  const Lighting& lighting;
-  const DirectLight& direct;
-  bool tests_visibility;  ///< something may lie between a light and a lit side that faces it
-};
-
 /// The stages are those of TransportMethod, with what they need as arguments. The world outlives the strategy's use of it.
 class Strategy {
  public:
@@ -26,7 +19,7 @@ class Strategy {
   virtual Capabilities capabilities() const = 0;
   virtual std::optional<std::string> refusal(const Scene&) const { return std::nullopt; }
   virtual void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport& report) = 0;
-  virtual void light(const World& world, const EffectPlan& plan, const SceneLighting& lights, Task& task,
+  virtual void light(const World& world, const EffectPlan& plan, const PlannedLights& lights, Task& task,
                      StageReport& report) = 0;
   virtual void shade(const World& world, const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const = 0;
   virtual std::size_t bytes() const = 0;

@@ -38,21 +38,9 @@ class Meshless : public TransportMethod {
 
   std::size_t bytes() const override { return transport_.groups.bytes() + transport_.hierarchy.bytes() + solution_.bytes(); }
 
- private:
-  bool simulates_indirect() const {
-    return plan().simulated.contains(Effect::diffuse_indirect) && plan().max_bounces.value_or(1) > 0;
-  }
-  bool needs_points() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
-
-  /// In one convex room no point lies inside geometry: nothing is behind another's front.
-  Settings planned_settings() const {
-    Settings settings = settings_;
-    if (plan().limits && plan().arrangement != Arrangement::general && !plan().simulates(Effect::occlusion))
-      settings.backface_test = false;
-    return settings;
-  }
-
-  void do_prepare(Task& task, StageReport& report) override {
+  void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport& report) override {
+    world_ = &world;
+    plan_ = plan;
     solution_ = {};
     transport_ = {};
     if (!needs_points()) {
@@ -60,8 +48,8 @@ class Meshless : public TransportMethod {
       return;
     }
     const Settings settings = planned_settings();
-    transport_.groups = make_groups(world(), settings.grouping);
-    Placement placement = place_points(world(), transport_.groups, settings, task);
+    transport_.groups = make_groups(world, settings.grouping);
+    Placement placement = place_points(world, transport_.groups, settings, task);
     task.count("proposals", placement.proposals);
     transport_.hierarchy = Hierarchy(std::move(placement), transport_.groups.count, settings, task);
     task.count("samples", transport_.hierarchy.size());
@@ -70,21 +58,22 @@ class Meshless : public TransportMethod {
     task.count("groups", transport_.groups.count);
   }
 
-  void do_light(const Lighting& lighting, Task& task, StageReport& report) override {
+  void light(const PlannedLights& lights, Task& task, StageReport& report) override {
+    direct_light_ = &lights.direct;
     solution_ = {};
-    if (!needs_points() || (direct_light().dark() && settings_.direct == DirectAnswer::shared)) {
+    if (!needs_points() || (direct_light_->dark() && settings_.direct == DirectAnswer::shared)) {
       report.message = needs_points() ? "no light: nothing to transport" : "nothing to transport";
       return;
     }
-    const bool grey = plan().grey_surfaces && is_grey(lighting);
+    const bool grey = plan_.grey_surfaces && is_grey(lights.lighting);
     solution_ =
-        solve(world(), transport_, direct_light(), settings_, {plan().max_bounces, simulates_indirect(), grey ? 1 : 3}, task);
+        solve(*world_, transport_, *direct_light_, settings_, {plan_.max_bounces, simulates_indirect(), grey ? 1 : 3}, task);
     task.count("channels", grey ? 1 : 3);
     report.termination = solution_.termination;
     report.message = solution_.message;
   }
 
-  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+  void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
     const std::vector<std::uint8_t> clear = clear_samples(request.samples, task);
     task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
       for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -92,11 +81,25 @@ class Meshless : public TransportMethod {
         const Rgb direct = clear[i] != 0 ? irradiance(solution_.direct, sample) : Rgb();
         const Rgb indirect = clear[i] != 0 ? irradiance(solution_.indirect, sample) : Rgb();
         const bool leaving = request.quantity == Quantity::radiance;
-        const Rgb factor = leaving ? world().scene().material_of_object(sample.object).diffuse / pi : Rgb(1.0F);
-        if (!answer.direct.empty()) answer.direct[i] = direct * factor + (leaving ? direct_light().emission(sample) : Rgb());
+        const Rgb factor = leaving ? world_->scene().material_of_object(sample.object).diffuse / pi : Rgb(1.0F);
+        if (!answer.direct.empty()) answer.direct[i] = direct * factor + (leaving ? direct_light_->emission(sample) : Rgb());
         if (!answer.indirect.empty()) answer.indirect[i] = indirect * factor;
       }
     });
+  }
+
+ private:
+  bool simulates_indirect() const {
+    return plan_.simulated.contains(Effect::diffuse_indirect) && plan_.max_bounces.value_or(1) > 0;
+  }
+  bool needs_points() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
+
+  /// In one convex room no point lies inside geometry: nothing is behind another's front.
+  Settings planned_settings() const {
+    Settings settings = settings_;
+    if (plan_.limits && plan_.arrangement != Arrangement::general && !plan_.simulates(Effect::occlusion))
+      settings.backface_test = false;
+    return settings;
   }
 
   /// 0 for samples on an unlit side or inside geometry, which no basis point stands for.
@@ -107,7 +110,7 @@ class Meshless : public TransportMethod {
       std::vector<DiscPoint> points;
       points.reserve(samples.size());
       for (const SurfaceSample& sample : samples) points.push_back({sample.position, sample.normal, {sample.triangle, true}});
-      clear_of_backfaces(world(), points, clear, settings_.backface_rays, task);
+      clear_of_backfaces(*world_, points, clear, settings_.backface_rays, task);
     }
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (!samples[i].lit_side) clear[i] = 0;
@@ -122,6 +125,9 @@ class Meshless : public TransportMethod {
   }
 
   Settings settings_;
+  const World* world_ = nullptr;
+  EffectPlan plan_;
+  const DirectLight* direct_light_ = nullptr;  ///< of the last light()
   Transport transport_;
   Solution solution_;
 };

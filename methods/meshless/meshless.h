@@ -1,7 +1,7 @@
 /// The meshless method's entry in the registry.
 #pragma once
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench {
 

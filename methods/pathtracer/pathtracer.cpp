@@ -27,23 +27,31 @@ class PathTracer final : public TransportMethod {
   }
   std::size_t bytes() const override { return (scene_ ? scene_->bytes() : 0) + (lights_ ? lights_->bytes() : 0); }
 
- private:
-  void do_prepare(Task&, StageReport&) override { scene_ = std::make_unique<PathScene>(world()); }
-  void do_light(const Lighting& lighting, Task&, StageReport& report) override {
-    lights_ = std::make_unique<SceneLights>(world(), lighting);
-    const PathEvents events = SceneFacts(world(), lighting).events;
-    rules_ = std::make_unique<PathRules>(PathAutomaton(light_paths(plan())).restricted_to(events), tests_visibility());
-    if (rules_->nothing() && !lights_->empty()) report.message = "no light path of the scene is among those to simulate";
-  }
-  std::string do_light_paths(const EffectPlan& plan, const BounceRange& range) const override {
+  std::string light_paths(const EffectPlan& plan, const BounceRange& range) const override {
     return plan.light_paths.empty() ? light_paths_of(plan, false, range) : plan.light_paths;
   }
-  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+
+  void prepare(const World& world, const EffectPlan& plan, Task&, StageReport&) override {
+    world_ = &world;
+    plan_ = plan;
+    scene_ = std::make_unique<PathScene>(world);
+  }
+  void light(const PlannedLights& lights, Task&, StageReport& report) override {
+    lights_ = std::make_unique<SceneLights>(*world_, lights.lighting);
+    const PathEvents events = SceneFacts(*world_, lights.lighting).events;
+    rules_ = std::make_unique<PathRules>(PathAutomaton(light_paths(plan_, {})).restricted_to(events),
+                                         lights.direct.options().tests_visibility);
+    if (rules_->nothing() && !lights_->empty()) report.message = "no light path of the scene is among those to simulate";
+  }
+  void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
     if (request.samples.empty()) return;
-    ShadeJob(*scene_, *lights_, *rules_, settings_, plan(), request, answer, task).run();
+    ShadeJob(*scene_, *lights_, *rules_, settings_, plan_, request, answer, task).run();
   }
 
+ private:
   Settings settings_;
+  const World* world_ = nullptr;
+  EffectPlan plan_;
   std::unique_ptr<PathScene> scene_;
   std::unique_ptr<SceneLights> lights_;
   std::unique_ptr<PathRules> rules_;

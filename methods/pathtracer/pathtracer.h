@@ -1,7 +1,7 @@
 /// The path tracer's entry in the registry.
 #pragma once
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench {
 

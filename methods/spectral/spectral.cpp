@@ -40,14 +40,9 @@ class Spectral : public TransportMethod {
            direct_.size() * sizeof(Rgb4);
   }
 
- private:
-  bool simulates_indirect() const {
-    return plan().simulated.contains(Effect::diffuse_indirect) && plan().max_bounces.value_or(1) > 0;
-  }
-  bool simulates_glossy() const { return simulates_indirect() && plan().simulated.contains(Effect::glossy_final_bounce); }
-  bool needs_mesh() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
-
-  void do_prepare(Task& task, StageReport& report) override {
+  void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport& report) override {
+    world_ = &world;
+    plan_ = plan;
     transfer_ = {};
     relit_ = {};
     direct_.clear();
@@ -58,36 +53,37 @@ class Spectral : public TransportMethod {
     }
     TransferWish wish;
     if (simulates_glossy())
-      for (const Object& object : world().scene().objects)
-        wish.glossy_objects.push_back(has_lobe(world().scene().materials[object.material]));
+      for (const Object& object : world.scene().objects)
+        wish.glossy_objects.push_back(has_lobe(world.scene().materials[object.material]));
     if (std::find(wish.glossy_objects.begin(), wish.glossy_objects.end(), true) == wish.glossy_objects.end())
       wish.glossy_objects.clear();
-    for (std::uint32_t object = 0; object < world().scene().objects.size(); ++object)
+    for (std::uint32_t object = 0; object < world.scene().objects.size(); ++object)
       wish.reflectance.push_back(reflectance_of(object));
-    wish.most_bounces = plan().max_bounces.value_or(0);
-    wish.occlusion = plan().simulated.contains(Effect::occlusion);
+    wish.most_bounces = plan.max_bounces.value_or(0);
+    wish.occlusion = plan.simulated.contains(Effect::occlusion);
     glossy_objects_ = wish.glossy_objects;
-    TransferMaking made = make_transfer(world(), settings_, wish, task);
+    TransferMaking made = make_transfer(world, settings_, wish, task);
     transfer_ = std::move(made.transfer);
     report.termination = made.termination;
     report.message = made.message;
   }
 
-  void do_light(const Lighting&, Task& task, StageReport& report) override {
+  void light(const PlannedLights& lights, Task& task, StageReport& report) override {
+    direct_light_ = &lights.direct;
     relit_ = {};
     direct_.clear();
-    if (!needs_mesh() || direct_light().dark()) {
+    if (!needs_mesh() || direct_light_->dark()) {
       report.message = needs_mesh() ? "no light: nothing to transport" : "nothing to transport";
       return;
     }
-    direct_ = direct_irradiance(world(), transfer_, direct_light(), settings_, task);
+    direct_ = direct_irradiance(*world_, transfer_, *direct_light_, settings_, task);
     if (task.cancelled()) return;
     if (simulates_indirect()) {
       task.progress("direct light", 0.5);
       std::vector<Rgb4> reflectance;
       for (const std::uint32_t vertex : transfer_.vertex_of_slot)
         reflectance.push_back(reflectance_of(transfer_.mesh->vertices()[vertex].object));
-      relit_ = relight(transfer_, direct_, reflectance, {plan().max_bounces, settings_.bounces, settings_.residual}, task);
+      relit_ = relight(transfer_, direct_, reflectance, {plan_.max_bounces, settings_.bounces, settings_.residual}, task);
       report.termination = relit_.termination;
       report.message = relit_.message;
       task.count("bounces", static_cast<std::uint64_t>(relit_.bounces));
@@ -98,24 +94,50 @@ class Spectral : public TransportMethod {
   }
 
   /// Albedos and lobes change in place; what would need other slices or another matrix is prepared again.
-  void do_edit(const SceneEdit& edit, const Lighting& lighting, Task& task, StageReport& report) override {
+  void edit(const SceneEdit& edit, const World& after, const EffectPlan& plan, const PlannedLights& lights, Task& task,
+            StageReport& report) override {
+    world_ = &after;
+    plan_ = plan;
     const bool in_place =
         std::visit(Overloaded{[](const LightEdit&) { return true; }, [&](const MaterialEdit&) { return slices_suffice(); },
                               [](const MoveEdit&) { return false; }, [](const DeformEdit&) { return false; }},
                    edit);
     if (!in_place) {
-      do_prepare(task, report);
-      if (succeeded(report.termination) && !task.cancelled()) do_light(lighting, task, report);
+      TransportMethod::edit(edit, after, plan, lights, task, report);
       return;
     }
     find_lobes();
-    do_light(lighting, task, report);
+    light(lights, task, report);
   }
+
+  void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
+      RayStream rays = task.rays(*world_);
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const SurfaceSample& sample = request.samples[i];
+        const bool leaving = request.quantity == Quantity::radiance;
+        const std::optional<MeshPoint> point = place_of(sample, rays);
+        const Rgb factor = leaving ? reflectance_of(sample.object) : Rgb(1.0F);
+        if (!answer.direct.empty())
+          answer.direct[i] = between(direct_, point) * factor + (leaving ? direct_light_->emission(sample) : Rgb());
+        if (answer.indirect.empty()) continue;
+        answer.indirect[i] = between(relit_.irradiance, point) * factor;
+        if (leaving) answer.indirect[i] += glossy(sample, request.toward_viewer[i], point);
+      }
+    });
+  }
+
+ private:
+  bool simulates_indirect() const {
+    return plan_.simulated.contains(Effect::diffuse_indirect) && plan_.max_bounces.value_or(1) > 0;
+  }
+  bool simulates_glossy() const { return simulates_indirect() && plan_.simulated.contains(Effect::glossy_final_bounce); }
+  bool needs_mesh() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
 
   bool slices_suffice() const {
     if (settings_.mode == Mode::fixed_albedo) return false;
     if (!simulates_glossy()) return true;
-    const Scene& scene = world().scene();
+    const Scene& scene = world_->scene();
     for (std::size_t object = 0; object < scene.objects.size(); ++object)
       if (has_lobe(scene.materials[scene.objects[object].material]) && (glossy_objects_.empty() || !glossy_objects_[object]))
         return false;
@@ -125,7 +147,7 @@ class Spectral : public TransportMethod {
   void find_lobes() {
     lobes_.clear();
     if (!simulates_glossy()) return;
-    for (const Material& material : world().scene().materials) lobes_.push_back(lobe_store_.lobe_of(material));
+    for (const Material& material : world_->scene().materials) lobes_.push_back(lobe_store_.lobe_of(material));
   }
 
   void approximate_direct(Task& task) {
@@ -134,30 +156,13 @@ class Spectral : public TransportMethod {
     transfer_.basis.reconstruct(light, direct_, task);
   }
 
-  Rgb reflectance_of(std::uint32_t object) const { return world().scene().material_of_object(object).diffuse / pi; }
-
-  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
-    task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
-      RayStream rays = task.rays(world());
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const SurfaceSample& sample = request.samples[i];
-        const bool leaving = request.quantity == Quantity::radiance;
-        const std::optional<MeshPoint> point = place_of(sample, rays);
-        const Rgb factor = leaving ? reflectance_of(sample.object) : Rgb(1.0F);
-        if (!answer.direct.empty())
-          answer.direct[i] = between(direct_, point) * factor + (leaving ? direct_light().emission(sample) : Rgb());
-        if (answer.indirect.empty()) continue;
-        answer.indirect[i] = between(relit_.irradiance, point) * factor;
-        if (leaving) answer.indirect[i] += glossy(sample, request.toward_viewer[i], point);
-      }
-    });
-  }
+  Rgb reflectance_of(std::uint32_t object) const { return world_->scene().material_of_object(object).diffuse / pi; }
 
   std::optional<MeshPoint> place_of(const SurfaceSample& sample, RayStream& rays) const {
-    const bool front = glm::dot(world().normal(sample.triangle), sample.normal) >= 0.0F;
+    const bool front = glm::dot(world_->normal(sample.triangle), sample.normal) >= 0.0F;
     if (!transfer_.mesh || !sample.lit_side || !transfer_.mesh->covers(sample.triangle, front)) return std::nullopt;
     const MeshPoint point = transfer_.mesh->locate(sample.triangle, sample.barycentrics, front);
-    return transfer_.interpolation.seen(world(), *transfer_.mesh, point, sample.position, rays);
+    return transfer_.interpolation.seen(*world_, *transfer_.mesh, point, sample.position, rays);
   }
 
   std::uint32_t slot(const MeshPoint& point, std::size_t corner) const {
@@ -175,7 +180,7 @@ class Spectral : public TransportMethod {
 
   /// Σ_k ρ_k(ω_o) ∫ L h_k cos (Wang et al. 2007, Eq. 6).
   Rgb glossy(const SurfaceSample& sample, const Vec3& toward_viewer, const std::optional<MeshPoint>& point) const {
-    const std::uint32_t material = world().scene().objects[sample.object].material;
+    const std::uint32_t material = world_->scene().objects[sample.object].material;
     if (!point || relit_.harmonics.empty() || lobes_.empty() || !lobes_[material]) return {};
     const RgbHarmonics lobe = lobes_[material]->coefficients(sample.normal, toward_viewer);
     Rgb sum;
@@ -187,6 +192,9 @@ class Spectral : public TransportMethod {
   }
 
   Settings settings_;
+  const World* world_ = nullptr;
+  EffectPlan plan_;
+  const DirectLight* direct_light_ = nullptr;  ///< of the last light()
   Transfer transfer_;
   std::vector<bool> glossy_objects_;  ///< whose vertices have harmonic slices; empty: none
   LobeStore lobe_store_;

@@ -1,7 +1,7 @@
 /// The entry in the registry of relighting over a spectral mesh basis.
 #pragma once
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench {
 

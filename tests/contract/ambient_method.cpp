@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,8 +29,12 @@ class AmbientMethod : public TransportMethod {
     Capabilities can;
     can.effects = {Effect::direct, Effect::diffuse_indirect, Effect::environment, Effect::occlusion};
     can.quantities = {Quantity::radiance, Quantity::irradiance};
-    can.direct = is(Defect::works_for_nothing);  // then the plan never spares it a call
-    can.variance = defect_ == Defect::claims_negative_variance;
+    if (is(Defect::answers_radiance_alone)) can.quantities = {Quantity::radiance};
+    if (answers_irradiance_alone()) can.quantities = {Quantity::irradiance};
+    if (is(Defect::claims_unseen_lobes)) can.effects.insert(Effect::glossy_final_bounce);
+    // As its own direct light the plan never spares it a call.
+    can.direct = is(Defect::works_for_nothing) || is(Defect::answers_parts_otherwise);
+    can.variance = is(Defect::claims_negative_variance) || is(Defect::knows_variance_by_halves);
     can.relights = true;
     return can;
   }
@@ -42,31 +47,30 @@ class AmbientMethod : public TransportMethod {
     return std::nullopt;
   }
 
- private:
-  bool is(Defect defect) const { return defect_ == defect; }
+  std::string light_paths(const EffectPlan& plan, const BounceRange& range) const override {
+    return is(Defect::misnames_its_paths) ? "C.*[LOB]" : light_paths_of(plan, true, range);
+  }
 
-  void do_prepare(Task& task, StageReport&) override {
+  void prepare(const World& world, const EffectPlan& plan, Task& task, StageReport&) override {
+    world_ = &world;
+    max_bounces_ = plan.max_bounces;
     if (is(Defect::keeps_what_was_cancelled) && task.cancelled()) stained_ = true;
-    points_ = area_uniform_samples(world(), point_count, task.seed());
+    points_ = area_uniform_samples(world, point_count, task.seed());
     albedo_ = Rgb();
     for (const SurfaceSample& point : points_)
-      albedo_ += world().scene().material_of_object(point.object).diffuse / static_cast<float>(points_.size());
+      albedo_ += world.scene().material_of_object(point.object).diffuse / static_cast<float>(points_.size());
     if (is(Defect::reflects_off_black))
       for (int channel = 0; channel < 3; ++channel) albedo_[channel] = std::max(albedo_[channel], 0.01F);
     if (is(Defect::looks_for_what_hides) || is(Defect::works_for_nothing)) {
-      RayStream rays = task.rays(world());
-      for (const SurfaceSample& point : points_) rays.occluded({world().ray_origin(point), 0.0F, point.normal});
+      RayStream rays = task.rays(world);
+      for (const SurfaceSample& point : points_) rays.occluded({world.ray_origin(point), 0.0F, point.normal});
     }
     task.progress("points", 1.0);
   }
 
-  std::string do_light_paths(const EffectPlan& plan, const BounceRange& range) const override {
-    return is(Defect::misnames_its_paths) ? "C.*[LOB]" : light_paths_of(plan, true, range);
-  }
-
-  void do_light(const Lighting& lighting, Task& task, StageReport&) override {
-    if (is(Defect::sees_one_kind_of_light)) partial_light_ = seen_part(lighting);
-    const DirectLight& direct = partial_light_ ? *partial_light_ : direct_light();
+  void light(const PlannedLights& lights, Task& task, StageReport&) override {
+    if (is(Defect::sees_one_kind_of_light)) partial_light_ = seen_part(lights.lighting);
+    const DirectLight& direct = partial_light_ ? *partial_light_ : lights.direct;
     std::vector<Rgb> found(points_.size());
     const auto body = [&](const ChunkRange& range) {
       RayStream rays = task.rays(world());
@@ -89,6 +93,30 @@ class AmbientMethod : public TransportMethod {
     if (stained_) ambient_ *= 1.01F;
   }
 
+  void edit(const SceneEdit& edit, const World& after, const EffectPlan& plan, const PlannedLights& lights, Task& task,
+            StageReport& report) override {
+    if (!is(Defect::overlooks_edits)) TransportMethod::edit(edit, after, plan, lights, task, report);
+    else world_ = &after;
+  }
+
+  void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task&, StageReport&) const override {
+    for (std::size_t i = 0; i < answer.indirect.size(); ++i) answer.indirect[i] = value(request, i);
+    if (is(Defect::answers_parts_otherwise) && answer.direct.empty())
+      for (Rgb& one : answer.indirect) one *= 1.01F;
+    std::fill(answer.direct.begin(), answer.direct.end(), Rgb());
+    for (std::span<Rgb> variance : {answer.direct_variance, answer.indirect_variance, answer.total_variance})
+      for (Rgb& one : variance) one = Rgb(is(Defect::claims_negative_variance) ? -1.0F : 0.0F);
+    if (is(Defect::knows_variance_by_halves) && answer.direct_variance.empty())
+      std::fill(answer.total_variance.begin(), answer.total_variance.end(), Rgb(std::numeric_limits<float>::quiet_NaN()));
+    if (is(Defect::leaves_a_gap) && !answer.indirect.empty())
+      answer.indirect.back() = Rgb(std::numeric_limits<float>::quiet_NaN());
+  }
+
+ private:
+  bool is(Defect defect) const { return defect_ == defect; }
+  bool answers_irradiance_alone() const { return is(Defect::answers_irradiance_alone) || is(Defect::claims_unseen_lobes); }
+  const World& world() const { return *world_; }
+
   /// Emission alone where there is any.
   std::unique_ptr<DirectLight> seen_part(Lighting lighting) const {
     for (const Rgb& emission : lighting.emission)
@@ -99,18 +127,9 @@ class AmbientMethod : public TransportMethod {
   /// ρ + ρ² + … for each channel, as many terms as the plan allows.
   Rgb bounced() const {
     Rgb sum, power(1.0F);
-    const int most = is(Defect::ignores_the_bound) ? 64 : plan().max_bounces.value_or(64);
+    const int most = is(Defect::ignores_the_bound) ? 64 : max_bounces_.value_or(64);
     for (int bounce = 0; bounce < most; ++bounce) sum += power *= albedo_;
     return is(Defect::dims_with_bounces) && most > 1 ? 0.5F * albedo_ : sum;
-  }
-
-  void do_shade(const ShadeRequest& request, const ShadeAnswer& answer, Task&, StageReport&) const override {
-    for (std::size_t i = 0; i < answer.indirect.size(); ++i) answer.indirect[i] = value(request, i);
-    std::fill(answer.direct.begin(), answer.direct.end(), Rgb());
-    for (std::span<Rgb> variance : {answer.direct_variance, answer.indirect_variance, answer.total_variance})
-      for (Rgb& one : variance) one = Rgb(-1.0F);
-    if (is(Defect::leaves_a_gap) && !answer.indirect.empty())
-      answer.indirect.back() = Rgb(std::numeric_limits<float>::quiet_NaN());
   }
 
   Rgb value(const ShadeRequest& request, std::size_t i) const {
@@ -126,6 +145,8 @@ class AmbientMethod : public TransportMethod {
   }
 
   Defect defect_;
+  const World* world_ = nullptr;
+  std::optional<int> max_bounces_;
   std::vector<SurfaceSample> points_;
   std::unique_ptr<DirectLight> partial_light_;
   Rgb albedo_, ambient_;
@@ -155,7 +176,7 @@ constexpr auto makers(std::index_sequence<defects...>) {
 }  // namespace
 
 MethodEntry ambient_method(Defect defect) {
-  constexpr auto all = makers(std::make_index_sequence<static_cast<std::size_t>(Defect::misnames_its_paths) + 1>());
+  constexpr auto all = makers(std::make_index_sequence<static_cast<std::size_t>(Defect::answers_irradiance_alone) + 1>());
   return {"ambient", "one mean value for the whole scene", "the geometric series", "C(<RD>|L)",
           schema(),  all[static_cast<std::size_t>(defect)]};
 }

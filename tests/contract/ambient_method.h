@@ -2,7 +2,7 @@
 /// defect made for it checks nothing.
 #pragma once
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench::contract {
 
@@ -34,6 +34,12 @@ enum class Defect {
   looks_for_what_hides,      ///< where nothing does
   works_for_nothing,         ///< as if there were always something to light
   misnames_its_paths,        ///< as more than it computes
+  answers_radiance_alone,    ///< in which nothing is compared at surface samples
+  claims_unseen_lobes,       ///< which irradiance does not see
+  answers_parts_otherwise,   ///< the indirect light alone is not what it is beside the direct light
+  knows_variance_by_halves,  ///< of the total only beside that of its parts
+  overlooks_edits,           ///< and keeps the scene that it had
+  answers_irradiance_alone,  ///< which is enough: the rest follows from it
 };
 
 MethodEntry ambient_method(Defect defect = Defect::none);

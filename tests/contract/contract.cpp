@@ -9,7 +9,7 @@
 namespace gibench::contract {
 
 std::span<const Check> all_checks() {
-  static constexpr std::array<Check, 20> checks{{
+  static constexpr std::array<Check, 23> checks{{
       {"DoublingTheLightDoublesTheAnswer", verify_doubling_the_light_doubles_the_answer},
       {"TwoLightsAdd", verify_two_lights_add},
       {"NoLightGivesBlack", verify_no_light_gives_black},
@@ -27,6 +27,9 @@ std::span<const Check> all_checks() {
       {"LightPathsAreTold", verify_light_paths_are_told},
       {"SameSeedSameBits", verify_same_seed_same_bits},
       {"CancellingStopsSoon", verify_cancelling_stops_soon},
+      {"EveryQuestionIsAnswered", verify_every_question_is_answered},
+      {"PartsAreThoseOfTheWhole", verify_parts_are_those_of_the_whole},
+      {"EditingEqualsAFreshRun", verify_editing_equals_a_fresh_run},
       {"TheEntryDescribesItself", verify_the_entry_describes_itself},
       {"UnknownParametersAreRefused", verify_unknown_parameters_are_refused},
       {"ParametersDescribeThemselves", verify_parameters_describe_themselves},

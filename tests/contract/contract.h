@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/method/method.h"
+#include "common/method/method_entry.h"
 
 namespace gibench::contract {
 
@@ -55,6 +55,10 @@ void verify_light_paths_are_told(const MethodEntry& entry);
 // The run: run_checks.cpp.
 void verify_same_seed_same_bits(const MethodEntry& entry);
 void verify_cancelling_stops_soon(const MethodEntry& entry);
+// What the program asks besides: program_checks.cpp.
+void verify_every_question_is_answered(const MethodEntry& entry);
+void verify_parts_are_those_of_the_whole(const MethodEntry& entry);
+void verify_editing_equals_a_fresh_run(const MethodEntry& entry);
 // The description: description_checks.cpp.
 void verify_the_entry_describes_itself(const MethodEntry& entry);
 void verify_unknown_parameters_are_refused(const MethodEntry& entry);

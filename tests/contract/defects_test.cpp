@@ -59,6 +59,12 @@ constexpr Case cases[] = {
     {"WorksWithoutLight", Defect::works_for_nothing, "NoLightNeedsNoWork", "rays were traced"},
     {"WorksBetweenBlackWalls", Defect::works_for_nothing, "BlackWallsNeedNoIndirectWork", "rays were traced"},
     {"MisnamesItsPaths", Defect::misnames_its_paths, "LightPathsAreTold", "more than 0 bounces"},
+    {"AnswersRadianceAlone", Defect::answers_radiance_alone, "TheEntryDescribesItself", "does not answer irradiance"},
+    {"ClaimsUnseenLobes", Defect::claims_unseen_lobes, "TheEntryDescribesItself", "does not answer radiance"},
+    {"KnowsVarianceByHalves", Defect::knows_variance_by_halves, "EveryQuestionIsAnswered", "the variance of sample 0"},
+    {"AnswersRadianceAloneWhenAsked", Defect::answers_radiance_alone, "EveryQuestionIsAnswered", "irradiance is not answered"},
+    {"AnswersPartsOtherwise", Defect::answers_parts_otherwise, "PartsAreThoseOfTheWhole", "indirect light alone"},
+    {"OverlooksEdits", Defect::overlooks_edits, "EditingEqualsAFreshRun", "a fresh run against an edited one"},
     {"KeepsWhatWasCancelled", Defect::keeps_what_was_cancelled, "CancellingStopsSoon", "follows a cancelled one"},
 };
 
@@ -70,6 +76,16 @@ TEST(TheInterface, AnswersForTheMethodInTheDark) {
   EXPECT_EQ(violation_of(find_check("NoLightGivesBlack"), ambient_method(Defect::glows_without_light)), "");
   EXPECT_EQ(violation_of(find_check("NoLightGivesBlack"), ambient_method(Defect::piles_up_relit_light)), "");
 }
+
+/// A method that answers irradiance alone keeps the whole contract: what else is asked of it follows from that.
+class IrradianceAlone : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(IrradianceAlone, KeepsTheContract) {
+  EXPECT_EQ(violation_of(all_checks()[GetParam()], ambient_method(Defect::answers_irradiance_alone)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryCheck, IrradianceAlone, testing::Range<std::size_t>(0, all_checks().size()),
+                         [](const auto& check) { return std::string(all_checks()[check.param].name); });
 
 /// What an entry can say wrongly, and what has to be said about it.
 struct WrongEntry {

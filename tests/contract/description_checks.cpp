@@ -9,6 +9,7 @@
 
 #include "common/core/error.h"
 #include "common/core/overloaded.h"
+#include "common/method/method_session.h"
 #include "tests/contract/contract.h"
 
 namespace gibench::contract {
@@ -76,10 +77,12 @@ void verify_the_entry_describes_itself(const MethodEntry& entry) {
   for (const auto& [what, text] :
        {std::pair{"summary", &entry.summary}, {"source", &entry.source}, {"light_paths", &entry.light_paths}})
     if (!is_one_line(*text)) throw Violation(fmt::format("its {} is not one line of text", what));
-  const Capabilities can = entry.make(Parameters(entry.schema, entry.quick))->capabilities();
+  const Capabilities can = make_session(entry, Parameters(entry.schema, entry.quick))->capabilities();
   if (can.effects.empty()) throw Violation("it simulates no effect");
-  if (!can.quantities.contains(Quantity::radiance) && !can.quantities.contains(Quantity::irradiance))
-    throw Violation("it answers neither radiance nor irradiance");
+  if (!can.quantities.contains(Quantity::irradiance))
+    throw Violation("it does not answer irradiance, in which methods are compared at surface samples");
+  if (can.effects.contains(Effect::glossy_final_bounce) && !can.quantities.contains(Quantity::radiance))
+    throw Violation("it simulates glossy final bounces but does not answer radiance, in which alone they are seen");
   if (!can.direct && !can.indirect) throw Violation("it computes neither direct nor indirect light");
 }
 

@@ -4,6 +4,7 @@
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
 #include "common/light_paths/automaton.h"
+#include "common/method/method_session.h"
 #include "tests/contract/compare.h"
 #include "tests/contract/contract.h"
 #include "tests/contract/run.h"
@@ -77,7 +78,7 @@ void verify_what_is_not_allowed_is_not_computed(const MethodEntry& entry) {
   const World world(plain_box());
   const auto samples = samples_of(world);
   const auto answer_with = [&](const EffectSet& allowed) {
-    const auto method = entry.make(Parameters(entry.schema, entry.quick));
+    const auto method = make_session(entry, Parameters(entry.schema, entry.quick));
     const EffectPlan plan =
         plan_effects(analyse_effects(world, PlanLimits{allowed, {}, 0.0, {}}), effects_of(method->capabilities()));
     Task task({.seed = 7, .threads = 2, .cancel = {}, .on_progress = {}});
@@ -102,7 +103,7 @@ void verify_what_is_not_allowed_is_not_computed(const MethodEntry& entry) {
 
 void verify_light_paths_are_told(const MethodEntry& entry) {
   const World world(plain_box());
-  const auto method = entry.make(Parameters(entry.schema, entry.quick));
+  const auto method = make_session(entry, Parameters(entry.schema, entry.quick));
   const auto automaton_of = [&](const std::string& paths) {
     try {
       return PathAutomaton(paths);

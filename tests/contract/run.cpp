@@ -12,9 +12,9 @@ void require_success(const StageReport& report, const std::string& stage) {
 }
 
 Run::Run(const MethodEntry& entry, const World& world, const RunOptions& options)
-    : world_(world),
+    : world_(&world),
       options_(options),
-      method_(entry.make(Parameters(entry.schema, entry.quick))),
+      method_(make_session(entry, Parameters(entry.schema, entry.quick))),
       plan_(plan_effects(analyse_effects(world, PlanLimits{{}, options.bounces, 0.0, options.forced}),
                          effects_of(method_->capabilities()))) {}
 
@@ -40,6 +40,13 @@ Run& Run::light(const Lighting& lighting) {
   return *this;
 }
 
+Run& Run::edit(const SceneEdit& edit, const World& after) {
+  Task own = task();
+  world_ = &after;
+  require_success(method_->edit(edit, after, Lighting::of(after.scene()), own), "edit");
+  return *this;
+}
+
 Answer Run::shade(Quantity quantity, const std::vector<SurfaceSample>& samples) const {
   Task own = task();
   Answer answer;
@@ -52,16 +59,16 @@ Answer fresh_answer(const MethodEntry& entry, const World& world, Quantity quant
   return Run(entry, world, options).prepare().light().shade(quantity, samples);
 }
 
-std::vector<Quantity> light_quantities(const TransportMethod& method) {
-  std::vector<Quantity> own;
+std::vector<Quantity> light_quantities(const MethodSession& method) {
+  std::vector<Quantity> answered;
   for (const Quantity quantity : {Quantity::irradiance, Quantity::radiance})
-    if (method.capabilities().quantities.contains(quantity)) own.push_back(quantity);
-  if (own.empty()) throw Violation("it answers neither radiance nor irradiance");
-  return own;
+    if (method.answers(quantity)) answered.push_back(quantity);
+  if (answered.empty()) throw Violation("it answers neither radiance nor irradiance");
+  return answered;
 }
 
 std::vector<Quantity> light_quantities(const MethodEntry& entry) {
-  return light_quantities(*entry.make(Parameters(entry.schema, entry.quick)));
+  return light_quantities(*make_session(entry, Parameters(entry.schema, entry.quick)));
 }
 
 Quantity plainest_quantity(const MethodEntry& entry) { return light_quantities(entry).front(); }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/method/method.h"
+#include "common/method/method_session.h"
 #include "tests/contract/contract.h"
 
 namespace gibench::contract {
@@ -30,25 +30,27 @@ class Run {
  public:
   Run(const MethodEntry& entry, const World& world, const RunOptions& options = {});
 
-  const World& world() const { return world_; }
-  const TransportMethod& method() const { return *method_; }
+  const World& world() const { return *world_; }
+  const MethodSession& method() const { return *method_; }
   const EffectPlan& plan() const { return plan_; }
   Task task() const { return Task({.seed = options_.seed, .threads = options_.threads, .cancel = {}, .on_progress = {}}); }
 
-  StageReport prepare(Task& task) { return method_->prepare(world_, plan_, task); }
+  StageReport prepare(Task& task) { return method_->prepare(*world_, plan_, task); }
   StageReport light(const Lighting& lighting, Task& task) { return method_->light(lighting, task); }
   StageReport shade(Quantity quantity, const std::vector<SurfaceSample>& samples, Answer& answer, Task& task) const;
 
   // The same with a task of their own, each of which must succeed.
   Run& prepare();
   Run& light(const Lighting& lighting);
-  Run& light() { return light(Lighting::of(world_.scene())); }
+  Run& light() { return light(Lighting::of(world_->scene())); }
+  /// Under the lights of the scene after the edit, which becomes the run's world.
+  Run& edit(const SceneEdit& edit, const World& after);
   Answer shade(Quantity quantity, const std::vector<SurfaceSample>& samples) const;
 
  private:
-  const World& world_;
+  const World* world_;
   RunOptions options_;
-  std::unique_ptr<TransportMethod> method_;
+  std::unique_ptr<MethodSession> method_;
   EffectPlan plan_;
 };
 
@@ -56,10 +58,10 @@ class Run {
 Answer fresh_answer(const MethodEntry& entry, const World& world, Quantity quantity, const std::vector<SurfaceSample>& samples,
                     const RunOptions& options = {});
 
-/// Radiance and irradiance, as far as the method answers them itself.
-std::vector<Quantity> light_quantities(const TransportMethod& method);
+/// Irradiance and radiance, as far as they can be asked for.
+std::vector<Quantity> light_quantities(const MethodSession& method);
 std::vector<Quantity> light_quantities(const MethodEntry& entry);
-/// The one that does not ask for directions, where the method answers it.
+/// The one that does not ask for directions, where it can be asked for.
 Quantity plainest_quantity(const MethodEntry& entry);
 const char* to_string(Quantity quantity);
 

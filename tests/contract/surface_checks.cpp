@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/effects/scene_effects.h"
+#include "common/method/method_session.h"
 #include "tests/contract/compare.h"
 #include "tests/contract/contract.h"
 #include "tests/contract/run.h"
@@ -35,7 +36,7 @@ void verify_odd_scene(const MethodEntry& entry, const OddScene& odd) {
   const auto lit = samples_of(world), turned = other_sides(world, lit);
   std::vector<Quantity> quantities = light_quantities(run.method());
   for (const Quantity quantity : {Quantity::radiosity, Quantity::accessibility})
-    if (run.method().capabilities().quantities.contains(quantity)) quantities.push_back(quantity);
+    if (run.method().answers(quantity)) quantities.push_back(quantity);
   for (const Quantity quantity : quantities) {
     const std::string what = fmt::format("{} in '{}'", to_string(quantity), odd.name);
     for (const auto& samples : {lit, turned}) {
@@ -56,11 +57,11 @@ void verify_odd_scene(const MethodEntry& entry, const OddScene& odd) {
 void verify_variances(const MethodEntry& entry) {
   const World world(plain_box());
   Run run(entry, world);
-  if (!run.method().capabilities().variance) return;
+  const Quantity quantity = plainest_quantity(entry);
+  if (!run.method().knows_variance(quantity)) return;
   run.prepare().light();
   const auto samples = samples_of(world);
   std::vector<Vec3> toward_viewer;
-  const Quantity quantity = plainest_quantity(entry);
   if (quantity == Quantity::radiance)
     for (const SurfaceSample& sample : samples) toward_viewer.push_back(sample.normal);
   std::vector<Rgb> direct(samples.size()), indirect(direct), first(direct), second(direct), total(direct);
@@ -101,7 +102,7 @@ void verify_bounce_bounds(const MethodEntry& entry) {
   const World world(plain_box());
   const auto samples = samples_of(world);
   const Quantity quantity = plainest_quantity(entry);
-  const bool indirect = entry.make(Parameters(entry.schema, entry.quick))->capabilities().indirect;
+  const bool indirect = make_session(entry, Parameters(entry.schema, entry.quick))->capabilities().indirect;
   std::optional<Answer> before;
   for (const std::optional<int> bounces : {std::optional(0), std::optional(1), std::optional(3), std::optional<int>()}) {
     const Answer now = fresh_answer(entry, world, quantity, samples, {.bounces = bounces});
@@ -127,7 +128,7 @@ void verify_every_value_is_written_and_finite(const MethodEntry& entry) {
 }
 
 void verify_refusals_are_texts(const MethodEntry& entry) {
-  const auto method = entry.make(Parameters(entry.schema, entry.quick));
+  const auto method = make_session(entry, Parameters(entry.schema, entry.quick));
   for (const OddScene& odd : odd_scenes()) {
     const std::optional<std::string> refusal = method->refusal(odd.scene);
     if (refusal != method->refusal(odd.scene)) throw Violation("'" + odd.name + "' is refused once and not the same again");

@@ -119,6 +119,7 @@ forbid '(common|methods|bench|reports|scenes|tests)/' 'assimp/' "only common/sce
   'common/scene_io/assimp/|scenes/generators/'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'valijson/' "only common/json sees Valijson" 'common/json/'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'OpenImageIO' "only common/image sees OpenImageIO" '(tests/)?common/image/'
+forbid '(bench|reports|scenes)/' 'common/method/method\.h' "callers use a MethodSession, never a method itself"
 check_common
 check_rooms
 check_signals

@@ -12,6 +12,7 @@
 #include "common/core/sampling.h"
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_lookup.h"
+#include "common/method/method_session.h"
 
 namespace gibench::truth {
 
@@ -76,7 +77,7 @@ std::vector<SurfaceSample> mean_samples(const World& world, const Question& ques
 class Asked {
  public:
   Asked(const MethodEntry& entry, const World& world, std::optional<int> bounces, const Run& run)
-      : world_(world), run_(run), method_(entry.make(Parameters(entry.schema, run.settings))) {
+      : world_(world), run_(run), method_(make_session(entry, Parameters(entry.schema, run.settings))) {
     Task task(settings_of(0));
     if (const auto why = method_->refusal(world.scene())) throw WorkError("refused: " + *why);
     const EffectPlan plan = plan_effects(analyse_effects(world, bounces), method_->capabilities().effects);
@@ -157,7 +158,7 @@ class Asked {
 
   const World& world_;
   const Run& run_;
-  std::unique_ptr<TransportMethod> method_;
+  std::unique_ptr<MethodSession> method_;
   std::uint64_t calls_ = 0;
 };
 

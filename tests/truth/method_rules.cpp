@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "common/method/method_session.h"
+
 namespace gibench::truth {
 
 namespace {
@@ -114,7 +116,7 @@ std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& e
     if (id == truth.id || id == question.id) return why;
   if (rule.quantity && question.quantity != *rule.quantity) return "another rule asks it";
   if (question.place == Place::sensor && !rule.asks_sensors) return "a virtual sensor lies on no surface";
-  const Capabilities can = entry.make(Parameters(entry.schema, rule.settings))->capabilities();
+  const Capabilities can = make_session(entry, Parameters(entry.schema, rule.settings))->capabilities();
   if (question.quantity == Quantity::radiosity && can.quantities.contains(Quantity::irradiance)) return std::nullopt;
   if (!can.quantities.contains(question.quantity)) return "the method does not answer this quantity";
   if (question.place == Place::point && rule.clearance > 0.0 &&

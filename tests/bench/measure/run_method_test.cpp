@@ -14,11 +14,9 @@ using testing::HasSubstr;
 class Unrelighting : public TransportMethod {
  public:
   Capabilities capabilities() const noexcept override { return {}; }
-
- private:
-  void do_prepare(Task&, StageReport&) override {}
-  void do_light(const Lighting&, Task&, StageReport&) override {}
-  void do_shade(const ShadeRequest&, const ShadeAnswer&, Task&, StageReport&) const override {}
+  void prepare(const World&, const EffectPlan&, Task&, StageReport&) override {}
+  void light(const PlannedLights&, Task&, StageReport&) override {}
+  void shade(const ShadeRequest&, const ShadeAnswer&, Task&, StageReport&) const override {}
 };
 
 TEST(Relighting, IsRefusedForAMethodThatDoesNotClaimIt) {

@@ -13,6 +13,7 @@
 
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench {
@@ -24,7 +25,7 @@ class Solved {
  public:
   Solved(Scene scene, Setting settings) : world_(std::move(scene)) {
     const MethodEntry entry = antiradiance_entry();
-    method_ = entry.make(Parameters(entry.schema, settings));
+    method_ = make_session(entry, Parameters(entry.schema, settings));
     const EffectPlan plan = plan_effects(analyse_effects(world_), method_->capabilities().effects);
     prepared = method_->prepare(world_, plan, task_);
     if (succeeded(prepared.termination)) lit = method_->light(Lighting::of(world_.scene()), task_);
@@ -42,7 +43,7 @@ class Solved {
  private:
   World world_;
   Task task_;
-  std::unique_ptr<TransportMethod> method_;
+  std::unique_ptr<MethodSession> method_;
 };
 
 double mean(const std::vector<Rgb>& values) {

@@ -11,6 +11,7 @@
 #include "common/core/sampling.h"
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "methods/antiradiance/antiradiance.h"
 #include "methods/antiradiance/bin_transport.h"
 #include "tests/support/scene_builder.h"
@@ -60,7 +61,7 @@ double exact_radiance(const Vec3& point, const Vec3& toward_viewer, float expone
 double answer_over_exact(float exponent, const char* bins) {
   const World world(wall_over_glossy_floor(exponent));
   const MethodEntry entry = antiradiance_entry();
-  const auto method = entry.make(Parameters(entry.schema, {{"elements", "1500"}, {"bins", bins}}));
+  const auto method = make_session(entry, Parameters(entry.schema, {{"elements", "1500"}, {"bins", bins}}));
   const EffectPlan plan = plan_effects(analyse_effects(world, PlanLimits{{}, 1, 0.0, {}}), effects_of(method->capabilities()));
   Task task;
   EXPECT_TRUE(succeeded(method->prepare(world, plan, task).termination));

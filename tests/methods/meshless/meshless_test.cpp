@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "common/scene/tessellate.h"
 #include "tests/support/scene_builder.h"
 
@@ -25,7 +26,7 @@ class Solved {
   explicit Solved(Scene scene, std::optional<int> bounces = std::nullopt, const Setting& settings = {}, int threads = 0)
       : world_(std::move(scene)), task_(settings_of(threads)) {
     const MethodEntry entry = meshless_entry();
-    method_ = entry.make(Parameters(entry.schema, settings));
+    method_ = make_session(entry, Parameters(entry.schema, settings));
     EffectPlan plan;
     plan.simulated = {Effect::direct, Effect::diffuse_indirect, Effect::environment, Effect::occlusion};
     plan.max_bounces = bounces;
@@ -48,7 +49,7 @@ class Solved {
     return world_.sample_at(hit.triangle, {hit.u, hit.v}, normal);
   }
   const World& world() const { return world_; }
-  const TransportMethod& method() const { return *method_; }
+  const MethodSession& method() const { return *method_; }
 
   StageReport prepared, lit;
 
@@ -60,7 +61,7 @@ class Solved {
   }
   World world_;
   Task task_;
-  std::unique_ptr<TransportMethod> method_;
+  std::unique_ptr<MethodSession> method_;
 };
 
 /// Rough, fast answers, for tests that are not about accuracy.
@@ -278,7 +279,7 @@ TEST(Meshless, ReportsItsWork) {
 
 TEST(Meshless, RefusesScenesWithoutArea) {
   const MethodEntry entry = meshless_entry();
-  const auto method = entry.make(Parameters(entry.schema, {}));
+  const auto method = make_session(entry, Parameters(entry.schema, {}));
   EXPECT_TRUE(method->refusal(Scene{}).has_value());
   test::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
@@ -312,7 +313,7 @@ TEST(Meshless, LivesWithDegenerateFacesFlippedNormalsAndASingleTriangle) {
 TEST(Meshless, StopsWhenCancelled) {
   const World world(test::box_scene());
   const MethodEntry entry = meshless_entry();
-  const auto method = entry.make(Parameters(entry.schema, rough));
+  const auto method = make_session(entry, Parameters(entry.schema, rough));
   TaskSettings settings;
   settings.cancel = std::make_shared<std::atomic<bool>>(false);
   settings.on_progress = [cancel = settings.cancel](const ProgressPoint& point) {

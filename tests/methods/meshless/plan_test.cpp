@@ -3,6 +3,7 @@
 
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "methods/meshless/coefficients.h"
 #include "methods/meshless/expansion.h"
 #include "methods/meshless/meshless.h"
@@ -21,8 +22,8 @@ struct Outcome {
 Outcome run(const Scene& scene, const PlanLimits& limits = {}) {
   const World world(scene, 1);
   const MethodEntry entry = meshless_entry();
-  const auto method = entry.make(
-      Parameters(entry.schema, {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "128"}, {"coarsest_rays", "128"}}));
+  const auto method = make_session(
+      entry, Parameters(entry.schema, {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "128"}, {"coarsest_rays", "128"}}));
   const EffectPlan plan = plan_effects(analyse_effects(world, limits), effects_of(method->capabilities()));
   Task task;
   EXPECT_TRUE(succeeded(method->prepare(world, plan, task).termination));
@@ -89,7 +90,7 @@ TEST(MeshlessPlan, ABlackRoomAndADarkOneTakeNoWork) {
 TEST(MeshlessPlan, ItsLightPathsFollowItsPlan) {
   const auto method_with = [](const std::string& direct) {
     const MethodEntry entry = meshless_entry();
-    return entry.make(Parameters(entry.schema, {{"direct", direct}}));
+    return make_session(entry, Parameters(entry.schema, {{"direct", direct}}));
   };
   EffectPlan plan;
   plan.called_for = {Effect::direct, Effect::diffuse_indirect, Effect::glossy_final_bounce, Effect::glossy_chain};

@@ -8,6 +8,7 @@
 
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "methods/pathtracer/pathtracer.h"
 #include "tests/support/scene_builder.h"
 
@@ -35,7 +36,7 @@ struct Asked {
 Restricted ask(const Scene& scene, Quantity quantity, const Asked& asked) {
   const World world(scene, 1);
   const MethodEntry entry = pathtracer_entry();
-  const auto method = entry.make(Parameters(entry.schema, {{"samples", std::to_string(asked.samples)}}));
+  const auto method = make_session(entry, Parameters(entry.schema, {{"samples", std::to_string(asked.samples)}}));
   EffectPlan plan =
       plan_effects(analyse_effects(world, PlanLimits{{}, {}, 0.0, asked.forced}), effects_of(method->capabilities()));
   plan.light_paths = asked.light_paths;
@@ -174,7 +175,7 @@ TEST(LightPaths, ACausticIsInTheWholeAndNotInTheDiffusePaths) {
   const World world(builder.build("caustic"), 1);
   const auto lit = [&](const std::string& paths) {
     const MethodEntry entry = pathtracer_entry();
-    const auto method = entry.make(Parameters(entry.schema, {{"samples", "262144"}}));
+    const auto method = make_session(entry, Parameters(entry.schema, {{"samples", "262144"}}));
     EffectPlan plan = plan_effects(analyse_effects(world), effects_of(method->capabilities()));
     plan.light_paths = paths;
     Task task;
@@ -233,7 +234,7 @@ TEST(Planned, TheBounceBoundLeavesOutLessThanItsTolerance) {
     const auto samples = area_uniform_samples(world, 100, 5);
     const auto irradiance = [&](double tolerance) {
       const MethodEntry entry = pathtracer_entry();
-      const auto method = entry.make(Parameters(entry.schema, {{"samples", "1024"}}));
+      const auto method = make_session(entry, Parameters(entry.schema, {{"samples", "1024"}}));
       const EffectPlan plan =
           plan_effects(analyse_effects(world, PlanLimits{{}, {}, tolerance, {}}), effects_of(method->capabilities()));
       Task task;
@@ -265,7 +266,7 @@ TEST(Planned, ADiffuseSceneCostsNothingForGlossySupport) {
   const auto samples = area_uniform_samples(world, 60, 5);
   const auto run = [&](const std::optional<EffectSet>& allowed) {
     const MethodEntry entry = pathtracer_entry();
-    const auto method = entry.make(Parameters(entry.schema, {}));
+    const auto method = make_session(entry, Parameters(entry.schema, {}));
     const EffectPlan plan =
         plan_effects(analyse_effects(world, PlanLimits{allowed, {}, 0.0, {}}), effects_of(method->capabilities()));
     Task task;

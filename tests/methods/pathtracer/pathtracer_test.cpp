@@ -7,6 +7,7 @@
 
 #include "common/core/random.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/method/method_session.h"
 #include "methods/pathtracer/replicate_sums.h"
 #include "tests/support/scene_builder.h"
 
@@ -27,7 +28,7 @@ class Tracer {
   explicit Tracer(const Scene& scene, const Settings& settings = {}, std::optional<int> bounces = std::nullopt)
       : world_(scene, 1) {
     const MethodEntry entry = pathtracer_entry();
-    method_ = entry.make(Parameters(entry.schema, settings));
+    method_ = make_session(entry, Parameters(entry.schema, settings));
     EffectPlan plan;
     plan.max_bounces = bounces;
     Task task;
@@ -40,7 +41,7 @@ class Tracer {
     EXPECT_TRUE(succeeded(method_->light(lighting, task).termination));
   }
   const World& world() const { return world_; }
-  const TransportMethod& method() const { return *method_; }
+  const MethodSession& method() const { return *method_; }
 
   Values ask(Quantity quantity, const std::vector<SurfaceSample>& samples, const std::vector<Vec3>& viewers = {},
              const TaskSettings& settings = {}) const {
@@ -67,7 +68,7 @@ class Tracer {
 
  private:
   World world_;
-  std::unique_ptr<TransportMethod> method_;
+  std::unique_ptr<MethodSession> method_;
 };
 
 /// A room of one colour whose every face emits: radiance is emission / (1 − albedo) everywhere.
