@@ -1,23 +1,28 @@
-/// What one run tells: result.json. What was not measured is absent, never zero.
+/// What one run records: result.json, written and read here. What was not
+/// measured is absent, never zero.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/record/machine.h"
 #include "bench/record/reference_facts.h"
 #include "common/effects/effect_plan.h"
 #include "common/method/parameters.h"
 #include "common/method/stage_report.h"
 #include "common/metrics/errors.h"
-#include "common/reference/reference_store.h"
+#include "common/scene/scene.h"
 
 namespace gibench {
 
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
+
+inline constexpr const char* result_file = "result.json";
 
 struct StageRecord {
   std::string stage;  ///< prepare, light, shade_surface, shade_image
@@ -27,18 +32,32 @@ struct StageRecord {
 /// Errors of one component: "surface" or "image" to its metrics.
 using DomainErrors = std::map<std::string, ErrorTable>;
 
-/// Total error in two: what the method's light paths lack, and what its discretisation adds on those paths.
+/// Total error in two: what the method's light paths lack, and what its
+/// discretisation adds on those paths.
 struct ErrorSplit {
   std::map<std::string, DomainErrors> model;           ///< the reference of its paths against that of all paths
   std::map<std::string, DomainErrors> discretisation;  ///< the method against the reference of its paths
   ReferenceFacts reference;                            ///< the one of its paths
 };
 
-/// Both of them for the light of one number of reflections between a light and the surface asked about.
+/// Both of them for the light of one number of reflections between a light and
+/// the surface asked about.
 struct BounceErrors {
   int bounce = 0;
   std::optional<std::map<std::string, DomainErrors>> model;  ///< empty: the method has all paths of this bounce
   std::map<std::string, DomainErrors> discretisation;
+};
+
+/// Where a method was asked.
+struct MeasuredCamera {
+  std::string name;
+  int width = 0, height = 0;  ///< pixels
+};
+struct MeasuredAt {
+  std::size_t surface_samples = 0;
+  std::uint64_t reference_seed = 1;      ///< of the surface samples, the camera rays and the reference
+  std::optional<MeasuredCamera> camera;  ///< empty: no pictures
+  int pixel_samples = 0;                 ///< camera rays a pixel
 };
 
 struct RunRecord {
@@ -46,14 +65,17 @@ struct RunRecord {
   ParameterValues parameters;
   std::uint64_t seed = 1;
   int threads = 1;
-  ReferenceQuestion question;  ///< where the method was asked, and for which paths
+  Origin origin;
+  MeasuredAt measured_at;
   EffectPlan plan;
   std::string light_paths;             ///< what it computes under the plan
   bool complete = false;               ///< all paths of the scene
-  std::vector<std::string> completed;  ///< components that the shared evaluator answered for the method
+  std::vector<std::string> completed;  ///< components that the shared evaluator
+                                       ///< answered for the method
   double load_seconds = 0.0;           ///< reading the scene and building the ray backend
   std::vector<StageRecord> stages;
   std::size_t method_bytes = 0;  ///< 0: unknown
+  std::uint64_t peak_bytes = 0;  ///< of the process until its answers were there; 0: unknown
   Counters counters;
   std::vector<std::string> warnings;
   std::optional<Exposure> exposure;            ///< at which its pictures are shown and FLIP was taken
@@ -63,14 +85,29 @@ struct RunRecord {
   std::vector<BounceErrors> per_bounce;
 };
 
-/// As DESIGN names the fields; peak memory and machine are those of this process.
+/// How the run ended: by the first stage that says more than "done".
+Termination termination_of(const RunRecord& record);
+/// Seconds of "load", of each stage and, where it was asked, of "shade": its
+/// stages together.
+std::vector<std::pair<std::string, double>> seconds_of(const RunRecord& record);
+
 nlohmann::ordered_json to_json(const RunRecord& record);
+/// Throws nlohmann::json::exception or InputError for what is no record.
+RunRecord run_record_of(const nlohmann::ordered_json& json);
+/// Throws InputError that names the file.
+RunRecord read_run_record(const std::filesystem::path& file);
 
 nlohmann::ordered_json to_json(const ErrorTable& table);
+ErrorTable error_table_of(const nlohmann::ordered_json& json);
+/// Throws InputError for a name that is none.
+Termination termination_named(const std::string& name);
 /// {called_for, simulated, missing, skipped: [{effect, why}]}
 nlohmann::ordered_json to_json(const EffectPlan& plan);
 nlohmann::ordered_json to_json(const ParameterValue& value);
+nlohmann::ordered_json to_json(const ParameterValues& values);
+ParameterValues parameters_of(const nlohmann::ordered_json& json);
 /// {value, start, stop} in stops
 nlohmann::ordered_json to_json(const Exposure& exposure);
+Exposure exposure_of(const nlohmann::ordered_json& json);
 
 }  // namespace gibench

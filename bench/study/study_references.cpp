@@ -55,7 +55,7 @@ void StudyRunner::make_path_references(std::size_t scene) {
     const ChildResult result = child(reference_arguments(scene, measuring), reference_limits(), "reference-" + name);
     if (result.end == ChildEnd::cancelled) return;
     const bool made = result.end == ChildEnd::exited && result.exit_code == 0;
-    tell(fmt::format("{}: reference of {} {}, {:.1f} s", name, paths, made ? "ready" : "not made: " + result.error,
+    tell(fmt::format("{}: reference of {} {}, {:.1f} s", name, paths, made ? "ready" : "not made: " + result.last_line,
                      result.seconds));
   }
 }

@@ -1,13 +1,11 @@
-/// One measured error as records write it.
+/// One recorded error as tables take it.
 #pragma once
 
-#include <optional>
-
-#include "reports/collect/json_reading.h"
+#include "bench/record/run_record.h"
+#include "reports/collect/study.h"
 
 namespace gibench::report {
 
-/// {"value", "ci95", "noise_floor", "below_noise_floor"}; empty where there is no value.
-std::optional<MeasuredError> error_of(const Json& entry);
+MeasuredError measured(const ErrorValue& recorded);
 
 }  // namespace gibench::report
