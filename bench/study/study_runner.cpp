@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "bench/measure/cancellation.h"
+#include "bench/measure/measuring_fields.h"
 #include "bench/record/process_record.h"
 #include "bench/record/relight_record.h"
 #include "bench/record/run_record.h"
@@ -235,7 +236,7 @@ void StudyRunner::run_one(const PlannedRun& run) {
                                        "--references",
                                        (folders_.root / "references" / "store").string()};
     for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
-    const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
+    const std::vector<std::string> measuring = arguments_of(study_.measuring);
     arguments.insert(arguments.end(), measuring.begin(), measuring.end());
     const std::vector<std::string> plan = plan_arguments(variant.plan);
     arguments.insert(arguments.end(), plan.begin(), plan.end());
