@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 
 #include "bench/study/child_process.h"
 
@@ -15,6 +16,15 @@ void die_with_parent_study() {
   if (!parent) return;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (std::atol(parent) != static_cast<long>(getppid())) _exit(137);  // the study ended before the line above
+}
+
+void tell_parent(const ErrorRecord& error) {
+  const char* file = std::getenv(error_file_variable);
+  if (!file) return;
+  try {
+    write_error_record(file, error);
+  } catch (const std::exception&) {  // the study then has the exit status and the line on stderr
+  }
 }
 
 }  // namespace gibench

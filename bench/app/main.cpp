@@ -11,17 +11,20 @@
 #include "bench/app/exit_status.h"
 #include "bench/app/signals.h"
 #include "bench/app/verbs.h"
+#include "bench/measure/run_method.h"
 #include "bench/record/machine.h"
 #include "common/core/error.h"
+#include "common/scene/find_file.h"
 
 namespace {
 
 using namespace gibench;
 
-int failed(ExitStatus status, std::string text) {
+int failed(ExitStatus status, ErrorCode code, std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   std::fprintf(stderr, "gibench: %s\n", text.c_str());
+  tell_parent({code, text});
   return static_cast<int>(status);
 }
 
@@ -45,12 +48,13 @@ int run_program(int argc, char** argv) {
   add_verbs(app, call);
   try {
     if (argc > 1 && argv[1][0] != '-' && !is_verb(app, argv[1]))
-      return failed(ExitStatus::bad_input, fmt::format("unknown verb '{}'; see gibench --help", argv[1]));
+      return failed(ExitStatus::bad_input, ErrorCode::bad_input, fmt::format("unknown verb '{}'; see gibench --help", argv[1]));
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return failed(ExitStatus::bad_input, std::string(error.what()) + "; see " + called_verb(app) + " --help");
+    return failed(ExitStatus::bad_input, ErrorCode::bad_input,
+                  std::string(error.what()) + "; see " + called_verb(app) + " --help");
   }
   return static_cast<int>(call.action());
 }
@@ -58,14 +62,16 @@ int run_program(int argc, char** argv) {
 int guarded(int argc, char** argv) {
   try {
     return run_program(argc, argv);
+  } catch (const MissingFileError& error) {
+    return failed(ExitStatus::bad_input, ErrorCode::missing_file, error.what());
   } catch (const InputError& error) {
-    return failed(ExitStatus::bad_input, error.what());
-  } catch (const WorkError& error) {
-    return failed(ExitStatus::work_failed, error.what());
+    return failed(ExitStatus::bad_input, ErrorCode::bad_input, error.what());
+  } catch (const MethodRefusal& error) {
+    return failed(ExitStatus::work_failed, ErrorCode::refused, error.what());
   } catch (const std::bad_alloc&) {
-    return failed(ExitStatus::work_failed, "out of memory; ask for fewer samples or a smaller scene");
+    return failed(ExitStatus::work_failed, ErrorCode::out_of_memory, "out of memory; ask for fewer samples or a smaller scene");
   } catch (const std::exception& error) {
-    return failed(ExitStatus::work_failed, error.what());
+    return failed(ExitStatus::work_failed, ErrorCode::work_failed, error.what());
   }
 }
 
@@ -77,6 +83,6 @@ int main(int argc, char** argv) {
   const int status = guarded(argc, argv);
   // Answers on stdout that did not fit on the disk are no answers.
   if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && status == 0)
-    return failed(ExitStatus::work_failed, "stdout: cannot be written to");
+    return failed(ExitStatus::work_failed, ErrorCode::work_failed, "stdout: cannot be written to");
   return status;
 }

@@ -3,33 +3,57 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
+
+#include "bench/measure/measuring_fields.h"
+#include "common/core/error.h"
 
 namespace gibench {
 
 namespace {
 
-constexpr int most_bounces = 1000000;
+const MeasuringField& field_of(std::string_view option) {
+  const std::span<const MeasuringField> fields = measuring_fields();
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const MeasuringField& field) { return field.option == option; });
+  GIBENCH_CHECK(found != fields.end(), "the table has this option");
+  return *found;
+}
+
+CLI::Option* add_field(CLI::App& verb, const MeasuringField& field, MeasuringOptions& options) {
+  return std::visit(
+      [&](auto member) -> CLI::Option* {
+        using Value = std::remove_reference_t<decltype(options.*member)>;
+        if constexpr (std::is_same_v<Value, bool>)
+          return verb.add_flag_callback(
+              field.option, [&options, member] { options.*member = false; }, field.meaning);
+        else if constexpr (std::is_same_v<Value, std::string>)
+          return verb.add_option(field.option, options.*member, field.meaning);
+        else if constexpr (std::is_same_v<Value, std::size_t>)
+          return verb.add_option(field.option, options.*member, field.meaning)->check(CLI::Range(field.least, field.most));
+        else
+          return verb.add_option(field.option, options.*member, field.meaning)
+              ->check(CLI::Range(static_cast<int>(field.least), static_cast<int>(field.most)));
+      },
+      field.member);
+}
 
 }  // namespace
 
-void add_bounces_option(CLI::App& verb, std::optional<int>& bounces) {
-  verb.add_option("--bounces", bounces, "Reflections between a light and the surface asked about, at most; without it: all")
-      ->check(CLI::Range(0, most_bounces));
+void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {
+  for (const MeasuringField& field : measuring_fields()) {
+    if (*field.key == '\0') continue;
+    CLI::Option* option = add_field(verb, field, options);
+    if (field.shows_default) option->capture_default_str();
+  }
 }
 
-void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {
-  verb.add_option("--surface-samples", options.surface_samples, "Surface samples at which irradiance is compared")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
-      ->capture_default_str();
-  verb.add_option("--pixel-samples", options.pixel_samples, "Camera rays per pixel, a square number")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
-  verb.add_option("--camera", options.camera, "Camera by name; without it: the scene's first");
-  verb.add_option("--width", options.image_width, "Width of the picture in pixels, its shape kept; 0: the camera's own")
-      ->check(CLI::Range(0, 16384));
-  verb.add_flag_callback(
-      "--no-pictures", [&options] { options.pictures = false; }, "Surface samples alone, no camera picture");
-  add_bounces_option(verb, options.bounces);
+void add_bounces_option(CLI::App& verb, std::optional<int>& bounces) {
+  const MeasuringField& field = field_of("--bounces");
+  verb.add_option(field.option, bounces, field.meaning)
+      ->check(CLI::Range(static_cast<int>(field.least), static_cast<int>(field.most)));
 }
 
 void add_plan_options(CLI::App& verb, PlanOptions& options) {
@@ -43,20 +67,15 @@ void add_plan_options(CLI::App& verb, PlanOptions& options) {
 }
 
 void add_light_paths_option(CLI::App& verb, std::string& light_paths) {
-  verb.add_option("--light-paths", light_paths,
-                  "Only these paths, an expression such as C.{0,1}[LOB]|CDD+[LOB]; without it: all");
+  const MeasuringField& field = field_of("--light-paths");
+  verb.add_option(field.option, light_paths, field.meaning);
 }
 
 std::string command_line_of(const MeasuringOptions& options) {
-  const MeasuringOptions defaults;
   std::string line;
-  if (options.surface_samples != defaults.surface_samples) line += fmt::format(" --surface-samples {}", options.surface_samples);
-  if (options.pixel_samples != defaults.pixel_samples) line += fmt::format(" --pixel-samples {}", options.pixel_samples);
-  if (!options.camera.empty()) line += " --camera " + options.camera;
-  if (!options.pictures) line += " --no-pictures";
-  if (options.image_width != 0) line += fmt::format(" --width {}", options.image_width);
-  if (!options.light_paths.empty()) line += fmt::format(" --light-paths '{}'", options.light_paths);
-  if (options.bounces) line += fmt::format(" --bounces {}", *options.bounces);
+  for (const std::string& argument : arguments_of(options))
+    line += argument == options.light_paths ? " '" + argument + "'" : " " + argument;
+  const MeasuringOptions defaults;
   if (options.reference_seed != defaults.reference_seed) line += fmt::format(" --seed {}", options.reference_seed);
   return line;
 }

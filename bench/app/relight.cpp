@@ -21,8 +21,6 @@ namespace gibench {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct RelightOptions {
   std::string scene, method;
   std::vector<std::string> settings;
@@ -138,24 +136,20 @@ class Relighter {
 };
 
 /// "3.1 [2.5, 4.2]"; "at least 2.5" or "at most 4.2" where the noise hides the rest.
-std::string bounded_text(const Json& number) {
-  const Json &low = number["ci95"][0], &high = number["ci95"][1];
-  const auto text = [](const Json& end) { return end.is_null() ? std::string("–") : fmt::format("{:.3g}", end.get<double>()); };
-  if (number.contains("value")) return fmt::format("{} [{}, {}]", text(number["value"]), text(low), text(high));
-  if (!low.is_null()) return "at least " + text(low);
-  return high.is_null() ? "not known" : "at most " + text(high);
+std::string bounded_text(const Bounded& number) {
+  const auto text = [](const std::optional<double>& end) { return end ? fmt::format("{:.3g}", *end) : std::string("–"); };
+  if (number.value) return fmt::format("{} [{}, {}]", text(number.value), text(number.low), text(number.high));
+  if (number.low) return "at least " + text(number.low);
+  return number.high ? "at most " + text(number.high) : "not known";
 }
 
-/// The summary in words, to stdout.
-void print_relight_summary(const Json& summary) {
-  fmt::print("{} frames after {:.3f} s of preparing\n", summary["frames"].get<std::size_t>(),
-             summary["prepare_seconds"].get<double>());
-  fmt::print("  median frame   {:.4f} s relighting, {:.4f} s shading\n", summary["median_seconds"]["relight"].get<double>(),
-             summary["median_seconds"]["shade"].get<double>());
-  if (!summary.contains("path_tracing_seconds_at_equal_error")) return;
-  fmt::print("  path tracing   {} s at equal indirect error\n", bounded_text(summary["path_tracing_seconds_at_equal_error"]));
-  fmt::print("                 {} times the frame\n", bounded_text(summary["path_tracing_over_frame"]));
-  fmt::print("  preparing      is paid for after this many frames: {}\n", bounded_text(summary["frames_that_pay_for_prepare"]));
+void print_summary(const RelightSummary& summary) {
+  fmt::print("{} frames after {:.3f} s of preparing\n", summary.frames, summary.prepare_seconds);
+  fmt::print("  median frame   {:.4f} s relighting, {:.4f} s shading\n", summary.relight_seconds, summary.shade_seconds);
+  if (!summary.path_tracing_seconds) return;
+  fmt::print("  path tracing   {} s at equal indirect error\n", bounded_text(*summary.path_tracing_seconds));
+  fmt::print("                 {} times the frame\n", bounded_text(*summary.times_cheaper));
+  fmt::print("  preparing      is paid for after this many frames: {}\n", bounded_text(*summary.frames_that_pay));
 }
 
 ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
@@ -167,19 +161,15 @@ ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
   RunLog log({}, common.quiet);
   Relighter relighter(options, common, choice, std::move(loaded.world));
   relighter.prepare(log);
-  Json json{{"scene", relighter.scene().name}, {"method", choice.entry->name}, {"seed", common.seed}};
-  for (const auto& [name, value] : choice.parameters.values())
-    std::visit([&, key = name](const auto& v) { json["parameters"][key] = v; }, value);
-  std::vector<RelitFrame> frames;
+  RelightRecord record{relighter.scene().name, choice.entry->name, common.seed, choice.parameters.values(), {}, {}};
   for (const PathFrame& frame : path) {
-    frames.push_back(relighter.relight(frame));
+    record.frames.push_back(relighter.relight(frame));
     stop_if_cancelled();
-    json["frames"].push_back(relit_frame_json(frames.back()));
   }
-  json["summary"] = relight_summary_json(relighter.prepare_seconds(), frames);
-  if (!options.out.empty()) write_file_atomically(options.out, json.dump(2) + "\n");
-  if (common.json) print_json(json);
-  else if (!common.quiet) print_relight_summary(json["summary"]);
+  record.summary = summarise(relighter.prepare_seconds(), record.frames);
+  if (!options.out.empty()) write_file_atomically(options.out, to_json(record).dump(2) + "\n");
+  if (common.json) print_json(to_json(record));
+  else if (!common.quiet) print_summary(record.summary);
   return ExitStatus::done;
 }
 

@@ -160,13 +160,13 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   outcome.record.warnings.insert(outcome.record.warnings.end(), warnings.begin(), warnings.end());
   for (const std::string& warning : outcome.record.warnings) log.warn(warning);
   stop_if_cancelled();
-  const nlohmann::ordered_json json = to_json(outcome.record);
+  outcome.record.peak_bytes = peak_bytes();  // before the library that writes pictures is loaded
   if (folder) {
-    write_result_files(folder->partial(), outcome, exposure, json);
+    write_result_files(folder->partial(), outcome, exposure);
     stop_if_cancelled();
     folder->commit();
   }
-  if (common.json) print_json(json);
+  if (common.json) print_json(to_json(outcome.record));
   else if (!common.quiet) print_summary(outcome.record);
   return ExitStatus::done;
 }

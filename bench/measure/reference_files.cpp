@@ -28,16 +28,9 @@ void write_reference_files(const std::filesystem::path& folder, const Scene& sce
     exposure = exposure_for(scene, total);
     write_exr(folder / "reference.exr", camera.width, camera.height, layers, header);
   }
-  nlohmann::ordered_json json = to_json(facts);
-  json["scene"] = scene.name;
-  if (exposure) json["exposure"] = to_json(*exposure);
-  if (reference.question.camera) {
-    json["camera"] = reference.question.camera->name;
-    json["resolution"] = {reference.question.camera->width, reference.question.camera->height};
-  }
-  json["version"] = version();
-  json["commit"] = commit();
-  write_file_atomically(folder / reference_file, json.dump(2) + "\n");
+  ReferenceRecord record{facts, scene.name, exposure, std::nullopt, version(), commit()};
+  if (const auto& camera = reference.question.camera) record.camera = {camera->name, camera->width, camera->height};
+  write_file_atomically(folder / reference_file, to_json(record).dump(2) + "\n");
 }
 
 }  // namespace gibench

@@ -3,11 +3,10 @@
 
 #include <filesystem>
 
+#include "bench/record/reference_record.h"
 #include "common/reference/reference_store.h"
 
 namespace gibench {
-
-inline constexpr const char* reference_file = "reference.json";
 
 /// reference.json and, with a camera, reference.exr: R,G,B total; direct.*, indirect.*; half_a.*, half_b.*: the total
 /// by the even and by the odd replicates.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bench/record/machine.h"
 #include "common/core/atomic_file.h"
 #include "common/image/image_file.h"
 
@@ -15,8 +14,8 @@ std::vector<std::pair<std::string, std::string>> header_of(const RunRecord& reco
   std::vector<std::pair<std::string, std::string>> header{{"gibench_scene", record.scene},
                                                           {"gibench_method", record.method},
                                                           {"gibench_seed", std::to_string(record.seed)},
-                                                          {"gibench_version", version()},
-                                                          {"gibench_commit", commit()}};
+                                                          {"gibench_version", record.origin.version},
+                                                          {"gibench_commit", record.origin.commit}};
   for (const auto& [name, value] : record.parameters) header.emplace_back("gibench_parameter_" + name, to_text(value));
   return header;
 }
@@ -29,10 +28,9 @@ void write_preview(const std::filesystem::path& file, int width, int height, std
   write_png(file, {width, height, std::move(pixels)});
 }
 
-void write_result_files(const std::filesystem::path& folder, const RunOutcome& outcome, const Exposure& exposure,
-                        const nlohmann::ordered_json& result) {
+void write_result_files(const std::filesystem::path& folder, const RunOutcome& outcome, const Exposure& exposure) {
   if (outcome.image) {
-    const int width = outcome.record.question.camera->width, height = outcome.record.question.camera->height;
+    const int width = outcome.record.measured_at.camera->width, height = outcome.record.measured_at.camera->height;
     const std::vector<Rgb> total = outcome.image->total();
     std::vector<ImageLayer> layers{{"", total}, {"direct", outcome.image->direct}, {"indirect", outcome.image->indirect}};
     if (!outcome.image->total_variance.empty()) layers.push_back({"variance", outcome.image->total_variance});
@@ -41,7 +39,7 @@ void write_result_files(const std::filesystem::path& folder, const RunOutcome& o
     write_preview(folder / "preview_direct.png", width, height, outcome.image->direct, exposure);
     write_preview(folder / "preview_indirect.png", width, height, outcome.image->indirect, exposure);
   }
-  write_file_atomically(folder / result_file, result.dump(2) + "\n");
+  write_file_atomically(folder / result_file, to_json(outcome.record).dump(2) + "\n");
 }
 
 }  // namespace gibench

@@ -33,6 +33,12 @@ std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan,
   return warnings;
 }
 
+MeasuredAt measured_at(const ReferenceQuestion& question) {
+  MeasuredAt at{question.surface_samples, question.seed, std::nullopt, question.pixel_samples};
+  if (question.camera) at.camera = {question.camera->name, question.camera->width, question.camera->height};
+  return at;
+}
+
 std::vector<Component> completed_components(const Capabilities& can) {
   std::vector<Component> completed;
   if (!can.direct) completed.push_back(Component::direct);
@@ -67,8 +73,8 @@ void require_relighting(const MethodChoice& choice, const std::string& place) {
 
 void require_irradiance(const MethodChoice& choice) {
   if (make_session(*choice.entry, choice.parameters)->answers(Quantity::irradiance)) return;
-  throw WorkError(fmt::format("{}{} does not answer irradiance, in which methods are compared at surface samples", refusal_prefix,
-                              choice.entry->name));
+  throw MethodRefusal(fmt::format("refused: {} does not answer irradiance, in which methods are compared at surface samples",
+                                  choice.entry->name));
 }
 
 Task make_task(const WorkOptions& common, const std::string& title) {
@@ -107,7 +113,7 @@ LitMethod prepare_and_light(const World& world, const MethodChoice& choice, cons
   const std::string& name = choice.entry->name;
   LitMethod lit;
   if (const auto why = make_session(*choice.entry, choice.parameters)->refusal(world.scene()))
-    throw WorkError(fmt::format("{}{} cannot work on scene '{}': {}", refusal_prefix, name, world.scene().name, *why));
+    throw MethodRefusal(fmt::format("refused: {} cannot work on scene '{}': {}", name, world.scene().name, *why));
   static_cast<PlannedMethod&>(lit) =
       plan_method(analyse_effects(world, limits_of(options, bounces)), choice, options.light_paths);
   log.info(fmt::format("{} simulates {}; light paths {}", name,
@@ -148,7 +154,9 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   }
   RunRecord& record = outcome.record;
   record.scene = scene.scene().name, record.method = name, record.parameters = choice.parameters.values();
-  record.seed = common.seed, record.threads = threads, record.question = question, record.plan = lit.plan;
+  record.seed = common.seed, record.threads = threads, record.plan = lit.plan;
+  record.origin = Origin::here();
+  record.measured_at = measured_at(question);
   record.light_paths = lit.light_paths, record.complete = lit.complete;
   record.completed = completed_components(lit.method->capabilities());
   record.load_seconds = scene.seconds;

@@ -12,6 +12,7 @@
 #include "bench/measure/run_log.h"
 #include "bench/measure/work_options.h"
 #include "bench/record/run_record.h"
+#include "common/core/error.h"
 #include "common/effects/scene_effects.h"
 #include "common/method/method_session.h"
 
@@ -33,11 +34,14 @@ MethodChoice choose_method(const std::string& name, const std::vector<std::strin
 /// `place` is where the method is named.
 void require_relighting(const MethodChoice& choice, const std::string& place = "--method");
 
-/// Throws WorkError for a method that does not answer irradiance, in which methods are compared at surface samples.
+/// Throws MethodRefusal for a method that does not answer irradiance, in which methods are compared at surface samples.
 void require_irradiance(const MethodChoice& choice);
 
-/// The prefix of the message of a WorkError by which a refusal is told from a failure.
-inline constexpr const char* refusal_prefix = "refused: ";
+/// A method cannot work on a scene, and says why.
+class MethodRefusal : public WorkError {
+ public:
+  using WorkError::WorkError;
+};
 
 /// What a method is to simulate on a scene and the paths that this means.
 struct PlannedMethod {
@@ -49,7 +53,7 @@ struct PlannedMethod {
 /// Throws InputError for light paths given to a method that cannot choose its paths.
 PlannedMethod plan_method(const SceneEffects& effects, const MethodChoice& choice, const std::string& light_paths = {});
 
-/// A method that is ready to be asked. Throws WorkError for a refusal and for a stage that failed.
+/// A method that is ready to be asked. Throws MethodRefusal, and WorkError for a stage that failed.
 struct LitMethod : PlannedMethod {
   std::vector<StageRecord> stages;  ///< prepare and light
 

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "bench/record/json_fields.h"
 #include "commit.h"
 #include "common/core/parallel.h"
 
@@ -13,7 +13,8 @@ namespace gibench {
 
 namespace {
 
-/// The rest of the first line of `file` that starts with `key`, without separators and quotes; empty: none.
+/// The rest of the first line of `file` that starts with `key`, without
+/// separators and quotes; empty: none.
 std::string value_in(const char* file, const std::string& key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -30,21 +31,43 @@ std::string value_in(const char* file, const std::string& key) {
 std::string version() { return GIBENCH_VERSION; }
 std::string commit() { return GIBENCH_COMMIT; }
 
-nlohmann::ordered_json machine_json() {
-  nlohmann::ordered_json machine;
-  if (const std::string cpu = value_in("/proc/cpuinfo", "model name"); !cpu.empty()) machine["cpu"] = cpu;
-  machine["cores"] = hardware_threads();
+Machine this_machine() {
+  Machine machine;
+  machine.cpu = value_in("/proc/cpuinfo", "model name");
+  machine.cores = hardware_threads();
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  if (pages > 0 && page > 0) machine["memory_bytes"] = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
-  std::string os = value_in("/etc/os-release", "PRETTY_NAME");
-  if (utsname name{}; uname(&name) == 0) os += std::string(os.empty() ? "" : ", ") + name.sysname + " " + name.release;
-  if (!os.empty()) machine["os"] = os;
+  if (pages > 0 && page > 0) machine.memory_bytes = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+  machine.os = value_in("/etc/os-release", "PRETTY_NAME");
+  if (utsname name{}; uname(&name) == 0)
+    machine.os += std::string(machine.os.empty() ? "" : ", ") + name.sysname + " " + name.release;
 #ifdef __clang__
-  machine["compiler"] = "clang " __clang_version__;
+  machine.compiler = "clang " __clang_version__;
 #else
-  machine["compiler"] = "g++ " __VERSION__;
+  machine.compiler = "g++ " __VERSION__;
 #endif
-  machine["build"] = GIBENCH_BUILD_TYPE;
+  machine.build = GIBENCH_BUILD_TYPE;
+  return machine;
+}
+
+Json to_json(const Machine& machine) {
+  Json json = Json::object();
+  if (!machine.cpu.empty()) json["cpu"] = machine.cpu;
+  json["cores"] = machine.cores;
+  if (machine.memory_bytes > 0) json["memory_bytes"] = machine.memory_bytes;
+  if (!machine.os.empty()) json["os"] = machine.os;
+  json["compiler"] = machine.compiler;
+  json["build"] = machine.build;
+  return json;
+}
+
+Machine machine_of(const Json& json) {
+  Machine machine;
+  read_field(json, "cpu", machine.cpu);
+  read_field(json, "cores", machine.cores);
+  read_field(json, "memory_bytes", machine.memory_bytes);
+  read_field(json, "os", machine.os);
+  read_field(json, "compiler", machine.compiler);
+  read_field(json, "build", machine.build);
   return machine;
 }
 

@@ -8,13 +8,35 @@
 namespace gibench {
 
 std::string version();
-/// Of the sources that were built; "+" at its end where they differed from it; "unknown" outside of git.
+/// Of the sources that were built; "+" at its end where they differed from it;
+/// "unknown" outside of git.
 std::string commit();
 
-/// {cpu, cores, memory_bytes, os, compiler, build}; what cannot be told is absent.
-nlohmann::ordered_json machine_json();
+/// What cannot be told is empty or 0.
+struct Machine {
+  std::string cpu, os, compiler, build;
+  int cores = 0;
+  std::uint64_t memory_bytes = 0;
+};
+/// The one that this runs on, as this program was built.
+Machine this_machine();
 
-/// Largest resident memory of this process so far, bytes; 0 where the system does not tell.
+/// {cpu, cores, memory_bytes, os, compiler, build}; what cannot be told is
+/// absent.
+nlohmann::ordered_json to_json(const Machine& machine);
+Machine machine_of(const nlohmann::ordered_json& json);
+
+/// Which program made a record, and where.
+struct Origin {
+  std::string version, commit;
+  Machine machine;
+
+  /// This program on this machine.
+  static Origin here() { return {gibench::version(), gibench::commit(), this_machine()}; }
+};
+
+/// Largest resident memory of this process so far, bytes; 0 where the system
+/// does not tell.
 std::uint64_t peak_bytes();
 
 }  // namespace gibench

@@ -1,7 +1,8 @@
 #include "bench/record/reference_facts.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "bench/record/json_fields.h"
 
 #include "common/reference/scene_key.h"
 
@@ -9,7 +10,8 @@ namespace gibench {
 
 namespace {
 
-/// Of the indirect light, or of all light where there is no indirect; 0 in the dark.
+/// Of the indirect light, or of all light where there is no indirect; 0 in the
+/// dark.
 std::optional<double> error_of(const ReferenceValues& values) {
   if (values.direct.size() == 0) return std::nullopt;
   if (const auto error = relative_standard_error(values.indirect)) return error;
@@ -35,16 +37,25 @@ ReferenceFacts facts_of(const Scene& scene, const Reference& reference) {
 }
 
 nlohmann::ordered_json to_json(const ReferenceFacts& facts) {
-  nlohmann::ordered_json json{{"samples", facts.samples_per_replica * facts.replicas},
-                              {"relative_standard_error", facts.relative_standard_error()},
-                              {"path_class", facts.path_class},
-                              {"key", facts.key},
-                              {"replicas", facts.replicas},
-                              {"samples_per_replica", facts.samples_per_replica}};
+  nlohmann::ordered_json json{{"samples", facts.samples()},     {"relative_standard_error", facts.relative_standard_error()},
+                              {"path_class", facts.path_class}, {"key", facts.key},
+                              {"replicas", facts.replicas},     {"samples_per_replica", facts.samples_per_replica}};
   if (facts.surface_error) json["surface_relative_standard_error"] = *facts.surface_error;
   if (facts.image_error) json["image_relative_standard_error"] = *facts.image_error;
   json["seconds"] = facts.seconds;
   return json;
+}
+
+ReferenceFacts reference_facts_of(const nlohmann::ordered_json& json) {
+  ReferenceFacts facts;
+  read_field(json, "path_class", facts.path_class);
+  read_field(json, "key", facts.key);
+  read_field(json, "replicas", facts.replicas);
+  read_field(json, "samples_per_replica", facts.samples_per_replica);
+  read_field(json, "surface_relative_standard_error", facts.surface_error);
+  read_field(json, "image_relative_standard_error", facts.image_error);
+  read_field(json, "seconds", facts.seconds);
+  return facts;
 }
 
 }  // namespace gibench

@@ -1,14 +1,14 @@
 #include "bench/record/relight_record.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <limits>
 #include <span>
+
+#include "bench/record/json_fields.h"
 
 namespace gibench {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class Of>
 double median_over(const std::vector<RelitFrame>& frames, const Of& of) {
@@ -26,9 +26,23 @@ Json bounded_json(const Bounded& number) {
   return json;
 }
 
-}  // namespace
+Bounded bounded_of(const Json& json) {
+  Bounded number;
+  read_field(json, "value", number.value);
+  const Json &low = json.at("ci95").at(0), &high = json.at("ci95").at(1);
+  if (!low.is_null()) number.low = low.get<double>();
+  if (!high.is_null()) number.high = high.get<double>();
+  return number;
+}
 
-Json relit_frame_json(const RelitFrame& frame) {
+std::optional<Bounded> bounded_in(const Json& json, const char* name) {
+  const Json* entry = field(json, name);
+  return entry ? std::optional(bounded_of(*entry)) : std::nullopt;
+}
+
+constexpr const char* path_tracing_name = "path_tracing_seconds_at_equal_error";
+
+Json frame_json(const RelitFrame& frame) {
   Json json{{"at", frame.at},
             {"switched", frame.switched},
             {"seconds", {{"relight", frame.relight_seconds}, {"shade", frame.shade_seconds}}},
@@ -42,25 +56,91 @@ Json relit_frame_json(const RelitFrame& frame) {
     }
   if (!frame.reference) return json;
   json["reference"] = {{"seconds", frame.reference->seconds}, {"rmse", frame.reference->rmse}, {"paths", frame.reference->paths}};
-  json["path_tracing_seconds_at_equal_error"] = bounded_json(frame.path_tracing);
+  json[path_tracing_name] = bounded_json(frame.path_tracing);
   return json;
 }
 
-Json relight_summary_json(double prepare_seconds, const std::vector<RelitFrame>& frames) {
-  const double relight = median_over(frames, [](const RelitFrame& f) { return f.relight_seconds; });
-  const double shade = median_over(frames, [](const RelitFrame& f) { return f.shade_seconds; });
-  const double frame = relight + shade;
-  Json json{{"frames", frames.size()},
-            {"prepare_seconds", prepare_seconds},
-            {"median_seconds", {{"relight", relight}, {"shade", shade}}}};
-  if (!frames.front().reference) return json;
+RelitFrame frame_of(const Json& json) {
+  RelitFrame frame;
+  read_field(json, "at", frame.at);
+  read_field(json, "switched", frame.switched);
+  read_field(object_field(json, "seconds"), "relight", frame.relight_seconds);
+  read_field(object_field(json, "seconds"), "shade", frame.shade_seconds);
+  if (const Json* name = field(json, "termination")) frame.termination = termination_named(name->get<std::string>());
+  for (const auto& [component, metrics] : object_field(json, "errors").items())
+    frame.errors[known_name(all_components, component)] = error_table_of(metrics);
+  if (const Json* reference = field(json, "reference")) {
+    frame.reference.emplace();
+    read_field(*reference, "seconds", frame.reference->seconds);
+    read_field(*reference, "rmse", frame.reference->rmse);
+    read_field(*reference, "paths", frame.reference->paths);
+  }
+  frame.path_tracing = bounded_in(json, path_tracing_name).value_or(Bounded{});
+  return frame;
+}
+
+Json summary_json(const RelightSummary& summary) {
+  Json json{{"frames", summary.frames},
+            {"prepare_seconds", summary.prepare_seconds},
+            {"median_seconds", {{"relight", summary.relight_seconds}, {"shade", summary.shade_seconds}}}};
+  if (summary.path_tracing_seconds) json[path_tracing_name] = bounded_json(*summary.path_tracing_seconds);
+  if (summary.times_cheaper) json["path_tracing_over_frame"] = bounded_json(*summary.times_cheaper);
+  if (summary.frames_that_pay) json["frames_that_pay_for_prepare"] = bounded_json(*summary.frames_that_pay);
+  return json;
+}
+
+RelightSummary summary_of(const Json& json) {
+  RelightSummary summary;
+  read_field(json, "frames", summary.frames);
+  read_field(json, "prepare_seconds", summary.prepare_seconds);
+  read_field(object_field(json, "median_seconds"), "relight", summary.relight_seconds);
+  read_field(object_field(json, "median_seconds"), "shade", summary.shade_seconds);
+  summary.path_tracing_seconds = bounded_in(json, path_tracing_name);
+  summary.times_cheaper = bounded_in(json, "path_tracing_over_frame");
+  summary.frames_that_pay = bounded_in(json, "frames_that_pay_for_prepare");
+  return summary;
+}
+
+RelightRecord relight_record_of(const Json& json) {
+  RelightRecord record;
+  read_field(json, "scene", record.scene);
+  read_field(json, "method", record.method);
+  read_field(json, "seed", record.seed);
+  record.parameters = parameters_of(object_field(json, "parameters"));
+  for (const Json& frame : json.at("frames")) record.frames.push_back(frame_of(frame));
+  record.summary = summary_of(json.at("summary"));
+  return record;
+}
+
+}  // namespace
+
+RelightSummary summarise(double prepare_seconds, const std::vector<RelitFrame>& frames) {
+  RelightSummary summary;
+  summary.frames = frames.size();
+  summary.prepare_seconds = prepare_seconds;
+  summary.relight_seconds = median_over(frames, [](const RelitFrame& f) { return f.relight_seconds; });
+  summary.shade_seconds = median_over(frames, [](const RelitFrame& f) { return f.shade_seconds; });
+  if (!frames.front().reference) return summary;
+  const double frame = summary.relight_seconds + summary.shade_seconds;
   std::vector<Bounded> seconds;
   for (const RelitFrame& each : frames) seconds.push_back(each.path_tracing);
   const Bounded path_tracing = median_of(std::span<const Bounded>(seconds));
-  json["path_tracing_seconds_at_equal_error"] = bounded_json(path_tracing);
-  json["path_tracing_over_frame"] = bounded_json(times_cheaper(path_tracing, frame));
-  json["frames_that_pay_for_prepare"] = bounded_json(frames_that_pay(prepare_seconds, frame, path_tracing));
+  summary.path_tracing_seconds = path_tracing;
+  summary.times_cheaper = times_cheaper(path_tracing, frame);
+  summary.frames_that_pay = frames_that_pay(prepare_seconds, frame, path_tracing);
+  return summary;
+}
+
+Json to_json(const RelightRecord& record) {
+  Json json{{"scene", record.scene}, {"method", record.method}, {"seed", record.seed}};
+  if (!record.parameters.empty()) json["parameters"] = to_json(record.parameters);
+  for (const RelitFrame& frame : record.frames) json["frames"].push_back(frame_json(frame));
+  json["summary"] = summary_json(record.summary);
   return json;
+}
+
+RelightRecord read_relight_record(const std::filesystem::path& file) {
+  return read_record(file, "a record of a relighting", relight_record_of);
 }
 
 }  // namespace gibench

@@ -1,32 +1,18 @@
 #include "bench/record/run_record.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <limits>
 
-#include "bench/record/machine.h"
+#include "bench/record/json_fields.h"
 
 namespace gibench {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json name_list(const EffectSet& effects) {
   Json names = Json::array();
   for (const Effect effect : effects) names.push_back(to_string(effect));
   return names;
-}
-
-Json seconds_of(const RunRecord& record) {
-  Json seconds{{"load", record.load_seconds}};
-  double shade = 0.0;
-  bool shaded = false;
-  for (const auto& [stage, report] : record.stages) {
-    if (stage.starts_with("shade_")) shade += report.seconds, shaded = true;
-    seconds[stage] = report.seconds;
-  }
-  if (shaded) seconds["shade"] = shade;
-  return seconds;
 }
 
 Json counters_of(const Counters& counters) {
@@ -46,19 +32,12 @@ Json stages_of(const std::vector<StageRecord>& stages) {
   return list;
 }
 
-/// How the run ended: by the first stage that says more than "done".
-std::string termination_of(const std::vector<StageRecord>& stages) {
-  for (const StageRecord& stage : stages)
-    if (stage.report.termination != Termination::done) return to_string(stage.report.termination);
-  return to_string(Termination::done);
-}
-
-Json measured_at(const ReferenceQuestion& question) {
-  Json json{{"surface_samples", question.surface_samples}, {"reference_seed", question.seed}};
-  if (!question.camera) return json;
-  json["camera"] = question.camera->name;
-  json["resolution"] = {question.camera->width, question.camera->height};
-  json["pixel_samples"] = question.pixel_samples;
+Json measured_at_json(const MeasuredAt& at) {
+  Json json{{"surface_samples", at.surface_samples}, {"reference_seed", at.reference_seed}};
+  if (!at.camera) return json;
+  json["camera"] = at.camera->name;
+  json["resolution"] = {at.camera->width, at.camera->height};
+  json["pixel_samples"] = at.pixel_samples;
   return json;
 }
 
@@ -71,7 +50,10 @@ Json errors_of(const ComponentErrors& errors) {
 
 Json split_of(const RunRecord& record) {
   if (record.complete)
-    return {{"complete", true}, {"why", "every light path of the scene is simulated: there is no model error"}};
+    return {{"complete", true},
+            {"why",
+             "every light path of the scene is simulated: there is no "
+             "model error"}};
   Json json{{"complete", false}};
   if (!record.split) return json;
   json["model"] = errors_of(record.split->model);
@@ -100,8 +82,14 @@ Json completed_by(const std::vector<Component>& components) {
 Json memory_of(const RunRecord& record) {
   Json memory = Json::object();
   if (record.method_bytes > 0) memory["method_bytes"] = record.method_bytes;
-  if (const std::uint64_t peak = peak_bytes(); peak > 0) memory["peak_bytes"] = peak;
+  if (record.peak_bytes > 0) memory["peak_bytes"] = record.peak_bytes;
   return memory;
+}
+
+Json seconds_json(const RunRecord& record) {
+  Json json = Json::object();
+  for (const auto& [stage, seconds] : seconds_of(record)) json[stage] = seconds;
+  return json;
 }
 
 }  // namespace
@@ -136,26 +124,49 @@ Json to_json(const ParameterValue& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
+Json to_json(const ParameterValues& values) {
+  Json json = Json::object();
+  for (const auto& [name, value] : values) json[name] = to_json(value);
+  return json;
+}
+
 Json to_json(const Exposure& exposure) { return {{"value", exposure.value}, {"start", exposure.start}, {"stop", exposure.stop}}; }
+
+Termination termination_of(const RunRecord& record) {
+  for (const StageRecord& stage : record.stages)
+    if (stage.report.termination != Termination::done) return stage.report.termination;
+  return Termination::done;
+}
+
+std::vector<std::pair<std::string, double>> seconds_of(const RunRecord& record) {
+  std::vector<std::pair<std::string, double>> seconds{{"load", record.load_seconds}};
+  double shade = 0.0;
+  bool shaded = false;
+  for (const auto& [stage, report] : record.stages) {
+    if (stage.starts_with("shade_")) shade += report.seconds, shaded = true;
+    seconds.emplace_back(stage, report.seconds);
+  }
+  if (shaded) seconds.emplace_back("shade", shade);
+  return seconds;
+}
 
 Json to_json(const RunRecord& record) {
   Json json{{"gibench_result", 1}, {"scene", record.scene}, {"method", record.method}};
-  json["parameters"] = Json::object();
-  for (const auto& [name, value] : record.parameters) json["parameters"][name] = to_json(value);
+  json["parameters"] = to_json(record.parameters);
   json["seed"] = record.seed;
   json["threads"] = record.threads;
-  json["version"] = version();
-  json["commit"] = commit();
-  json["machine"] = machine_json();
-  json["measured_at"] = measured_at(record.question);
+  json["version"] = record.origin.version;
+  json["commit"] = record.origin.commit;
+  json["machine"] = to_json(record.origin.machine);
+  json["measured_at"] = measured_at_json(record.measured_at);
   json["effects"] = to_json(record.plan);
   json["light_paths"] = record.light_paths;
   if (!record.completed.empty()) json["completed_by"] = completed_by(record.completed);
-  json["seconds"] = seconds_of(record);
+  json["seconds"] = seconds_json(record);
   json["memory"] = memory_of(record);
   json["counters"] = counters_of(record.counters);
   json["warnings"] = record.warnings;
-  json["termination"] = termination_of(record.stages);
+  json["termination"] = to_string(termination_of(record));
   json["stages"] = stages_of(record.stages);
   if (record.exposure) json["exposure"] = to_json(*record.exposure);
   if (!record.errors.empty()) {
@@ -166,5 +177,164 @@ Json to_json(const RunRecord& record) {
   if (record.reference) json["reference"] = to_json(*record.reference);
   return json;
 }
+
+Termination termination_named(const std::string& name) {
+  for (const Termination termination :
+       {Termination::done, Termination::converged, Termination::bound_reached, Termination::not_converged,
+        Termination::out_of_budget, Termination::cancelled, Termination::invalid_output})
+    if (name == to_string(termination)) return termination;
+  throw InputError("termination", "'" + name + "' is none");
+}
+
+namespace {
+
+EffectSet effects_in(const Json& json, const char* name) {
+  std::vector<std::string> names;
+  read_field(json, name, names);
+  return effects_of_names(names, name);
+}
+
+EffectPlan plan_of(const Json& json) {
+  EffectPlan plan;
+  plan.called_for = effects_in(json, "called_for");
+  plan.simulated = effects_in(json, "simulated");
+  plan.missing = effects_in(json, "missing");
+  for (const Json& skipped : object_field(json, "skipped"))
+    plan.skipped.push_back(
+        {*effects_of_names({skipped.at("effect").get<std::string>()}, "skipped").begin(), skipped.at("why").get<std::string>()});
+  read_field(json, "max_bounces", plan.max_bounces);
+  return plan;
+}
+
+MeasuredAt measured_at_of(const Json& json) {
+  MeasuredAt at;
+  read_field(json, "surface_samples", at.surface_samples);
+  read_field(json, "reference_seed", at.reference_seed);
+  read_field(json, "pixel_samples", at.pixel_samples);
+  if (const Json* name = field(json, "camera"))
+    at.camera = {name->get<std::string>(), json.at("resolution").at(0).get<int>(), json.at("resolution").at(1).get<int>()};
+  return at;
+}
+
+Counters counters_in(const Json& json) {
+  Counters counters;
+  for (const auto& [name, value] : json.items()) counters.add(name, value.get<std::uint64_t>());
+  return counters;
+}
+
+std::vector<StageRecord> stages_in(const Json& list) {
+  std::vector<StageRecord> stages;
+  for (const Json& entry : list) {
+    StageRecord stage{entry.at("stage").get<std::string>(), {}};
+    stage.report.termination = termination_named(entry.at("termination").get<std::string>());
+    read_field(entry, "message", stage.report.message);
+    read_field(entry, "seconds", stage.report.seconds);
+    stage.report.counters = counters_in(object_field(entry, "counters"));
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
+/// An end of an interval; null where nothing bounds it.
+double end_of(const Json& json, double unbounded) { return json.is_null() ? unbounded : json.get<double>(); }
+
+ErrorValue error_value_of(const Json& json) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  ErrorValue error{json.at("value").get<double>(), -infinite, infinite, std::nullopt, false};
+  if (const Json* interval = field(json, "ci95"))
+    error.low = end_of(interval->at(0), -infinite), error.high = end_of(interval->at(1), infinite);
+  read_field(json, "noise_floor", error.noise_floor);
+  read_field(json, "below_noise_floor", error.below_noise_floor);
+  return error;
+}
+
+}  // namespace
+
+ErrorTable error_table_of(const Json& json) {
+  ErrorTable table;
+  for (const auto& [metric, entry] : json.items()) table[metric] = error_value_of(entry);
+  return table;
+}
+
+namespace {
+
+ComponentErrors errors_in(const Json& components) {
+  ComponentErrors errors;
+  for (const auto& [component, domains] : components.items())
+    for (const auto& [domain, metrics] : domains.items())
+      errors[known_name(all_components, component)][known_name(all_domains, domain)] = error_table_of(metrics);
+  return errors;
+}
+
+void read_split(const Json& json, RunRecord& record) {
+  read_field(json, "complete", record.complete);
+  if (const Json* model = field(json, "model"))
+    record.split = ErrorSplit{errors_in(*model), errors_in(object_field(json, "discretisation")),
+                              reference_facts_of(object_field(json, "reference"))};
+}
+
+std::vector<BounceErrors> bounces_in(const Json& list) {
+  std::vector<BounceErrors> bounces;
+  for (const Json& entry : list) {
+    BounceErrors one{entry.at("bounce").get<int>(), std::nullopt, errors_in(object_field(entry, "discretisation"))};
+    if (!entry.at("complete").get<bool>()) one.model = errors_in(object_field(entry, "model"));
+    bounces.push_back(std::move(one));
+  }
+  return bounces;
+}
+
+}  // namespace
+
+ParameterValues parameters_of(const Json& json) {
+  ParameterValues values;
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_boolean()) values[name] = value.get<bool>();
+    else if (value.is_number_integer()) values[name] = value.get<std::int64_t>();
+    else if (value.is_number()) values[name] = value.get<double>();
+    else values[name] = value.get<std::string>();
+  }
+  return values;
+}
+
+Exposure exposure_of(const Json& json) {
+  Exposure exposure;
+  read_field(json, "value", exposure.value);
+  read_field(json, "start", exposure.start);
+  read_field(json, "stop", exposure.stop);
+  return exposure;
+}
+
+RunRecord run_record_of(const Json& json) {
+  if (json.at("gibench_result").get<int>() != 1) throw InputError("gibench_result", "is not 1");
+  RunRecord record;
+  read_field(json, "scene", record.scene);
+  read_field(json, "method", record.method);
+  record.parameters = parameters_of(object_field(json, "parameters"));
+  read_field(json, "seed", record.seed);
+  read_field(json, "threads", record.threads);
+  read_field(json, "version", record.origin.version);
+  read_field(json, "commit", record.origin.commit);
+  record.origin.machine = machine_of(object_field(json, "machine"));
+  record.measured_at = measured_at_of(object_field(json, "measured_at"));
+  record.plan = plan_of(object_field(json, "effects"));
+  read_field(json, "light_paths", record.light_paths);
+  std::vector<std::string> completed;
+  read_field(object_field(json, "completed_by"), "components", completed);
+  for (const std::string& component : completed) record.completed.push_back(known_name(all_components, component));
+  read_field(object_field(json, "seconds"), "load", record.load_seconds);
+  record.stages = stages_in(object_field(json, "stages"));
+  read_field(object_field(json, "memory"), "method_bytes", record.method_bytes);
+  read_field(object_field(json, "memory"), "peak_bytes", record.peak_bytes);
+  record.counters = counters_in(object_field(json, "counters"));
+  read_field(json, "warnings", record.warnings);
+  if (const Json* exposure = field(json, "exposure")) record.exposure = exposure_of(*exposure);
+  record.errors = errors_in(object_field(json, "errors"));
+  read_split(object_field(json, "error_split"), record);
+  record.per_bounce = bounces_in(object_field(json, "errors_per_bounce"));
+  if (const Json* reference = field(json, "reference")) record.reference = reference_facts_of(*reference);
+  return record;
+}
+
+RunRecord read_run_record(const std::filesystem::path& file) { return read_record(file, "a run record", run_record_of); }
 
 }  // namespace gibench

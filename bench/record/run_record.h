@@ -1,13 +1,16 @@
-/// What one run tells: result.json. What was not measured is absent, never zero.
+/// What one run records: result.json, written and read here. What was not
+/// measured is absent, never zero.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/record/machine.h"
 #include "bench/record/reference_facts.h"
 #include "common/effects/component.h"
 #include "common/effects/effect_plan.h"
@@ -15,11 +18,13 @@
 #include "common/method/stage_report.h"
 #include "common/metrics/domain.h"
 #include "common/metrics/errors.h"
-#include "common/reference/reference_store.h"
+#include "common/scene/scene.h"
 
 namespace gibench {
 
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
+
+inline constexpr const char* result_file = "result.json";
 
 struct StageRecord {
   std::string stage;  ///< prepare, light, shade_surface, shade_image
@@ -29,18 +34,32 @@ struct StageRecord {
 using DomainErrors = std::map<Domain, ErrorTable>;
 using ComponentErrors = std::map<Component, DomainErrors>;
 
-/// Total error in two: what the method's light paths lack, and what its discretisation adds on those paths.
+/// Total error in two: what the method's light paths lack, and what its
+/// discretisation adds on those paths.
 struct ErrorSplit {
   ComponentErrors model;           ///< the reference of its paths against that of all paths
   ComponentErrors discretisation;  ///< the method against the reference of its paths
   ReferenceFacts reference;        ///< the one of its paths
 };
 
-/// Both of them for the light of one number of reflections between a light and the surface asked about.
+/// Both of them for the light of one number of reflections between a light and
+/// the surface asked about.
 struct BounceErrors {
   int bounce = 0;
   std::optional<ComponentErrors> model;  ///< empty: the method has all paths of this bounce
   ComponentErrors discretisation;
+};
+
+/// Where a method was asked.
+struct MeasuredCamera {
+  std::string name;
+  int width = 0, height = 0;  ///< pixels
+};
+struct MeasuredAt {
+  std::size_t surface_samples = 0;
+  std::uint64_t reference_seed = 1;      ///< of the surface samples, the camera rays and the reference
+  std::optional<MeasuredCamera> camera;  ///< empty: no pictures
+  int pixel_samples = 0;                 ///< camera rays a pixel
 };
 
 struct RunRecord {
@@ -48,7 +67,8 @@ struct RunRecord {
   ParameterValues parameters;
   std::uint64_t seed = 1;
   int threads = 1;
-  ReferenceQuestion question;  ///< where the method was asked, and for which paths
+  Origin origin;
+  MeasuredAt measured_at;
   EffectPlan plan;
   std::string light_paths;           ///< what it computes under the plan
   bool complete = false;             ///< all paths of the scene
@@ -56,6 +76,7 @@ struct RunRecord {
   double load_seconds = 0.0;         ///< reading the scene and building the ray backend
   std::vector<StageRecord> stages;
   std::size_t method_bytes = 0;  ///< 0: unknown
+  std::uint64_t peak_bytes = 0;  ///< of the process until its answers were there; 0: unknown
   Counters counters;
   std::vector<std::string> warnings;
   std::optional<Exposure> exposure;  ///< at which its pictures are shown and FLIP was taken
@@ -65,14 +86,29 @@ struct RunRecord {
   std::vector<BounceErrors> per_bounce;
 };
 
-/// As DESIGN names the fields; peak memory and machine are those of this process.
+/// How the run ended: by the first stage that says more than "done".
+Termination termination_of(const RunRecord& record);
+/// Seconds of "load", of each stage and, where it was asked, of "shade": its
+/// stages together.
+std::vector<std::pair<std::string, double>> seconds_of(const RunRecord& record);
+
 nlohmann::ordered_json to_json(const RunRecord& record);
+/// Throws nlohmann::json::exception or InputError for what is no record.
+RunRecord run_record_of(const nlohmann::ordered_json& json);
+/// Throws InputError that names the file.
+RunRecord read_run_record(const std::filesystem::path& file);
 
 nlohmann::ordered_json to_json(const ErrorTable& table);
+ErrorTable error_table_of(const nlohmann::ordered_json& json);
+/// Throws InputError for a name that is none.
+Termination termination_named(const std::string& name);
 /// {called_for, simulated, missing, skipped: [{effect, why}]}
 nlohmann::ordered_json to_json(const EffectPlan& plan);
 nlohmann::ordered_json to_json(const ParameterValue& value);
+nlohmann::ordered_json to_json(const ParameterValues& values);
+ParameterValues parameters_of(const nlohmann::ordered_json& json);
 /// {value, start, stop} in stops
 nlohmann::ordered_json to_json(const Exposure& exposure);
+Exposure exposure_of(const nlohmann::ordered_json& json);
 
 }  // namespace gibench

@@ -33,12 +33,14 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-std::vector<std::string> child_environment() {
+std::vector<std::string> child_environment(const std::filesystem::path& error_file) {
   std::vector<std::string> variables;
-  const std::string prefix = std::string(parent_variable) + "=";
+  const std::string parent = std::string(parent_variable) + "=", error = std::string(error_file_variable) + "=";
   for (char** variable = environ; *variable; ++variable)
-    if (!std::string_view(*variable).starts_with(prefix)) variables.emplace_back(*variable);
-  variables.push_back(prefix + std::to_string(getpid()));
+    if (const std::string_view text(*variable); !text.starts_with(parent) && !text.starts_with(error))
+      variables.emplace_back(text);
+  variables.push_back(parent + std::to_string(getpid()));
+  variables.push_back(error + error_file.string());
   return variables;
 }
 
@@ -54,10 +56,11 @@ struct FileActions {
   }
 };
 
-pid_t spawn(const std::vector<std::string>& arguments, const std::filesystem::path& out, const std::filesystem::path& error) {
+pid_t spawn(const std::vector<std::string>& arguments, const std::filesystem::path& out, const std::filesystem::path& error,
+            const std::filesystem::path& error_file) {
   std::vector<std::string> texts{"gibench"};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = child_environment();
+  std::vector<std::string> variables = child_environment(error_file);
   FileActions files;
   posix_spawn_file_actions_addopen(&files.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   files.send(STDOUT_FILENO, out);
@@ -132,10 +135,14 @@ class Watch {
 
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits, const std::filesystem::path& scratch,
                       const std::string& name) {
-  const std::filesystem::path out = scratch / (name + ".out"), error = scratch / (name + ".err");
-  ChildResult result = Watch(spawn(arguments, out, error), limits).until_end();
+  const std::filesystem::path out = scratch / (name + ".out"), error = scratch / (name + ".err"),
+                              error_file = scratch / (name + ".error");
+  std::error_code ignored;
+  std::filesystem::remove(error_file, ignored);
+  ChildResult result = Watch(spawn(arguments, out, error, error_file), limits).until_end();
   result.out = read_file(out);
-  result.error = last_line(read_file(error));
+  result.last_line = last_line(read_file(error));
+  result.error = read_error_record(error_file);
   return result;
 }
 

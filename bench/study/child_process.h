@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/record/error_record.h"
+
 namespace gibench {
 
 /// Name of the environment variable with which a study tells its children its process id.
@@ -29,13 +31,14 @@ struct ChildResult {
   ChildEnd end = ChildEnd::exited;
   int exit_code = 0;
   int signal = 0;
-  double seconds = 0.0;          ///< wall clock
-  std::uint64_t peak_bytes = 0;  ///< largest resident memory
-  std::string out, error;        ///< all of stdout, the last line of stderr
+  double seconds = 0.0;              ///< wall clock
+  std::uint64_t peak_bytes = 0;      ///< largest resident memory
+  std::string out, last_line;        ///< all of stdout, the last line of stderr
+  std::optional<ErrorRecord> error;  ///< why it ended without a result, where it could tell
 };
 
-/// Runs this program with the arguments and waits for it. stdout and stderr go to files with these names in `scratch`,
-/// which must exist. Throws WorkError where no process can be made. A killed parent takes the child with it.
+/// Runs this program with the arguments and waits for it. stdout, stderr and its error go to files of this name in
+/// `scratch`, which must exist. Throws WorkError where no process can be made. A killed parent takes the child with it.
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits, const std::filesystem::path& scratch,
                       const std::string& name);
 

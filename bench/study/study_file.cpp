@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "bench/measure/measuring_fields.h"
 #include "bench/measure/run_method.h"
 #include "bench/measure/scene_search.h"
 #include "common/core/atomic_file.h"
@@ -163,14 +164,17 @@ void read_reference(const json& entry, Study& study) {
   study.reference = reference;
 }
 
+void read_value(const json& value, std::optional<int>& into) { into = value.get<int>(); }
+template <class Value>
+void read_value(const json& value, Value& into) {
+  into = value.get<Value>();
+}
+
 void read_measuring(const json& value, const JsonPlace& place, MeasuringOptions& measuring) {
-  measuring.surface_samples = value.value("surface_samples", measuring.surface_samples);
-  measuring.pixel_samples = value.value("pixel_samples", measuring.pixel_samples);
+  for (const MeasuringField& field : measuring_fields())
+    if (value.contains(field.key))
+      std::visit([&](auto member) { read_value(value[field.key], measuring.*member); }, field.member);
   strata_per_side(measuring.pixel_samples, place["pixel_samples"].text().c_str());
-  measuring.image_width = value.value("image_width", measuring.image_width);
-  measuring.camera = value.value("camera", measuring.camera);
-  measuring.pictures = value.value("pictures", measuring.pictures);
-  if (value.contains("bounces")) measuring.bounces = value["bounces"].get<int>();
 }
 
 }  // namespace

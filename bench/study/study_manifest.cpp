@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "bench/record/machine.h"
+#include "bench/record/process_record.h"
 #include "bench/record/run_record.h"
 #include "bench/study/study_runner.h"
 #include "common/core/atomic_file.h"
@@ -10,18 +10,11 @@ namespace gibench {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<Json> read_json_if_there(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-  const Json json = Json::parse(read_file(file), nullptr, false);
-  return json.is_discarded() ? std::nullopt : std::optional(json);
-}
-
 std::string StudyRunner::key_of(const PlannedRun& run) const {
   const SceneState& scene = scenes_[run.scene];
   // The samples of the reference count: a better one gives other errors.
   const std::string reference_state =
-      scene.reference.is_object() ? scene.reference.at("key").get<std::string>() + scene.reference.at("samples").dump() : "none";
+      scene.reference ? scene.reference->facts.key + std::to_string(scene.reference->facts.samples()) : "none";
   return run_key(study_, run, common_, scene.check.at("key").get<std::string>(), reference_state);
 }
 
@@ -46,10 +39,9 @@ Json StudyRunner::scene_entry(std::size_t scene) const {
     }
   entry["key"] = state.check.at("key");
   if (state.check.contains("exposure")) entry["exposure"] = state.check.at("exposure");
-  else if (state.reference.is_object() && state.reference.contains("exposure"))
-    entry["exposure"] = state.reference.at("exposure");
-  if (state.reference.is_object() && state.reference.contains("resolution"))
-    entry["resolution"] = state.reference.at("resolution");
+  else if (state.reference && state.reference->exposure) entry["exposure"] = to_json(*state.reference->exposure);
+  if (state.reference && state.reference->camera)
+    entry["resolution"] = {state.reference->camera->width, state.reference->camera->height};
   entry["geometry"] = state.check.at("geometry");
   entry["effects_called_for"] = Json::array();
   for (const Json& effect : state.check.at("effects"))
@@ -57,30 +49,30 @@ Json StudyRunner::scene_entry(std::size_t scene) const {
   entry["effects"] = state.check.at("effects");
   entry["bounce_bound"] = state.check.at("bounce_bound");
   entry["analysis_seconds"] = state.check.at("analysis_seconds");
-  if (state.reference.is_object()) entry["reference"] = "references/" + name;
+  if (state.reference) entry["reference"] = "references/" + name;
   else if (!state.reference_message.empty()) entry["message"] = state.reference_message;
   return entry;
 }
 
 Json StudyRunner::run_entry(const PlannedRun& run) const {
   const StudyVariant& variant = study_.variants[run.variant];
-  Json parameters = Json::object();
-  for (const auto& [name, value] : variant.parameters) parameters[name] = to_json(value);
   Json entry{{"id", run.id},
              {"label", variant.label},
              {"scene", study_.scenes[run.scene].name},
              {"method", variant.method},
-             {"parameters", parameters}};
+             {"parameters", to_json(variant.parameters)}};
   add_outcome(entry, run.id, scenes_[run.scene].skipped ? std::string() : key_of(run), run.scene);
   return entry;
 }
 
 Json StudyRunner::relight_entry(const PlannedRelight& planned) const {
   const StudyRelight& relight = study_.relights[planned.relight];
-  Json parameters = Json::object();
-  for (const auto& [name, value] : relight.parameters) parameters[name] = to_json(value);
-  Json entry{{"id", planned.id},         {"label", relight.label},   {"scene", study_.scenes[relight.scene].name},
-             {"method", relight.method}, {"parameters", parameters}, {"lights", relight.lights.filename().string()}};
+  Json entry{{"id", planned.id},
+             {"label", relight.label},
+             {"scene", study_.scenes[relight.scene].name},
+             {"method", relight.method},
+             {"parameters", to_json(relight.parameters)},
+             {"lights", relight.lights.filename().string()}};
   add_outcome(entry, planned.id, scenes_[relight.scene].skipped ? std::string() : key_of(planned), relight.scene);
   return entry;
 }
@@ -90,10 +82,8 @@ void StudyRunner::add_outcome(Json& entry, const std::string& id, const std::str
   if (scenes_[scene].skipped) {
     entry["status"] = "skipped";
     entry["message"] = *scenes_[scene].skipped;
-  } else if (const auto recorded = read_json_if_there(folders_.run(id) / run_file);
-             recorded && recorded->value("key", "") == key) {
-    for (const char* name : {"status", "exit_code", "message", "wall_seconds", "peak_bytes", "process_peak_bytes"})
-      if (recorded->contains(name)) entry[name] = recorded->at(name);
+  } else if (const auto recorded = read_process_record(folders_.run(id) / process_file); recorded && recorded->key == key) {
+    add_to_entry(*recorded, entry);
   } else {
     entry["status"] = "skipped";
     entry["message"] = "not run yet";
@@ -106,9 +96,18 @@ Json StudyRunner::manifest() const {
   for (std::size_t s = 0; s < scenes_.size(); ++s) scenes.push_back(scene_entry(s));
   for (const PlannedRun& run : runs_) runs.push_back(run_entry(run));
   for (const PlannedRelight& relight : relights_) relights.push_back(relight_entry(relight));
-  return {{"gibench_study", 1},        {"name", study_.name},         {"version", version()}, {"commit", commit()},
-          {"machine", machine_json()}, {"created", created_},         {"seed", common_.seed}, {"threads", common_.threads},
-          {"jobs", settings_.jobs},    {"study", Json(*study_.json)}, {"scenes", scenes},     {"runs", runs},
+  return {{"gibench_study", 1},
+          {"name", study_.name},
+          {"version", version()},
+          {"commit", commit()},
+          {"machine", to_json(this_machine())},
+          {"created", created_},
+          {"seed", common_.seed},
+          {"threads", common_.threads},
+          {"jobs", settings_.jobs},
+          {"study", Json(*study_.json)},
+          {"scenes", scenes},
+          {"runs", runs},
           {"relights", relights}};
 }
 

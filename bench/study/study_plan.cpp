@@ -6,6 +6,7 @@
 #include <cctype>
 #include <set>
 
+#include "bench/measure/measuring_fields.h"
 #include "bench/record/machine.h"
 #include "common/core/hash.h"
 
@@ -61,7 +62,7 @@ std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions
   for (const auto& [name, value] : variant.parameters) key.add(name).add(to_text(value));
   for (const std::string& argument : plan_arguments(variant.plan)) key.add(argument);
   key.add(common.seed).add(common.threads);
-  for (const std::string& argument : measuring_arguments(study.measuring)) key.add(argument);
+  for (const std::string& argument : arguments_of(study.measuring)) key.add(argument);
   key.add(study.measuring.reference_seed);
   key.add(study.time_limit_seconds.value_or(0.0)).add(study.memory_limit_bytes.value_or(0));
   return key.hex();
@@ -75,21 +76,6 @@ std::string relight_key(const StudyRelight& relight, const WorkOptions& common, 
   key.add(common.seed).add(common.threads).add(relight.frames.value_or(0));
   key.add(relight.surface_samples).add(relight.compared_samples).add(relight.reference_samples);
   return key.hex();
-}
-
-std::vector<std::string> measuring_arguments(const MeasuringOptions& measuring) {
-  std::vector<std::string> arguments{"--surface-samples", std::to_string(measuring.surface_samples), "--pixel-samples",
-                                     std::to_string(measuring.pixel_samples)};
-  const auto add = [&](const char* option, const std::string& value) {
-    arguments.emplace_back(option);
-    arguments.push_back(value);
-  };
-  if (!measuring.camera.empty()) add("--camera", measuring.camera);
-  if (!measuring.pictures) arguments.emplace_back("--no-pictures");
-  if (measuring.image_width > 0) add("--width", std::to_string(measuring.image_width));
-  if (!measuring.light_paths.empty()) add("--light-paths", measuring.light_paths);
-  if (measuring.bounces) add("--bounces", std::to_string(*measuring.bounces));
-  return arguments;
 }
 
 std::vector<std::string> plan_arguments(const PlanOptions& plan) {

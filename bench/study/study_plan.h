@@ -43,9 +43,6 @@ struct StudyFolders {
   std::filesystem::path scratch() const { return root / "scratch"; }
 };
 
-/// The options after `gibench run|reference SCENE` that say where and for which paths.
-std::vector<std::string> measuring_arguments(const MeasuringOptions& measuring);
-
 /// The options after `gibench run|check SCENE` that say what may be simulated.
 std::vector<std::string> plan_arguments(const PlanOptions& plan);
 

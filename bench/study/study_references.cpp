@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/measure/cancellation.h"
+#include "bench/measure/measuring_fields.h"
 #include "bench/study/study_runner.h"
 
 namespace gibench {
@@ -15,7 +16,7 @@ std::vector<std::string> StudyRunner::reference_arguments(std::size_t scene, con
   std::vector<std::string> arguments{
       "reference",  study_.scenes[scene].file.string(), "--references", (folders_.root / "references" / "store").string(),
       "--replicas", std::to_string(goal.replicas),      "--seed",       std::to_string(measuring.reference_seed)};
-  const std::vector<std::string> where = measuring_arguments(measuring);
+  const std::vector<std::string> where = arguments_of(measuring);
   arguments.insert(arguments.end(), where.begin(), where.end());
   if (goal.samples) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples)});
   if (goal.target_error) arguments.insert(arguments.end(), {"--target-error", fmt::format("{}", *goal.target_error)});
@@ -55,7 +56,7 @@ void StudyRunner::make_path_references(std::size_t scene) {
     const ChildResult result = child(reference_arguments(scene, measuring), reference_limits(), "reference-" + name);
     if (result.end == ChildEnd::cancelled) return;
     const bool made = result.end == ChildEnd::exited && result.exit_code == 0;
-    tell(fmt::format("{}: reference of {} {}, {:.1f} s", name, paths, made ? "ready" : "not made: " + result.error,
+    tell(fmt::format("{}: reference of {} {}, {:.1f} s", name, paths, made ? "ready" : "not made: " + result.last_line,
                      result.seconds));
   }
 }

@@ -12,9 +12,10 @@
 #include <thread>
 
 #include "bench/measure/cancellation.h"
-#include "bench/measure/reference_files.h"
-#include "bench/measure/result_files.h"
-#include "bench/measure/run_method.h"
+#include "bench/measure/measuring_fields.h"
+#include "bench/record/process_record.h"
+#include "bench/record/relight_record.h"
+#include "bench/record/run_record.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/reference/folder_replacement.h"
@@ -47,22 +48,21 @@ void for_each_job(int jobs, std::size_t count, const std::function<void(std::siz
   if (first_error) std::rethrow_exception(first_error);
 }
 
-/// The line of an error without the program's name.
-std::string message_of(const std::string& line) {
-  const std::string prefix = "gibench: ";
-  return line.starts_with(prefix) ? line.substr(prefix.size()) : line;
-}
+/// Why a process that ended by itself has no result, in words.
+std::string message_of(const ChildResult& child) { return child.error ? child.error->message : child.last_line; }
 
-const char* status_of(const ChildResult& child) {
+bool told(const ChildResult& child, ErrorCode code) { return child.error && child.error->code == code; }
+
+RunStatus status_of(const ChildResult& child) {
   switch (child.end) {
-    case ChildEnd::timed_out: return "timed_out";
-    case ChildEnd::signalled: return "crashed";
+    case ChildEnd::timed_out: return RunStatus::timed_out;
+    case ChildEnd::signalled: return RunStatus::crashed;
     case ChildEnd::over_memory:
-    case ChildEnd::cancelled: return "failed";
+    case ChildEnd::cancelled: return RunStatus::failed;
     case ChildEnd::exited: break;
   }
-  if (child.exit_code == 0) return "done";
-  return message_of(child.error).starts_with(refusal_prefix) ? "refused" : "failed";
+  if (child.exit_code == 0) return RunStatus::done;
+  return told(child, ErrorCode::refused) ? RunStatus::refused : RunStatus::failed;
 }
 
 std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
@@ -71,17 +71,23 @@ std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
     case ChildEnd::over_memory:
       return fmt::format("stopped at its memory limit of {} MB", static_cast<double>(*limits.bytes) / (1024.0 * 1024.0));
     case ChildEnd::signalled:
-      return fmt::format("ended by a signal: {}{}{}", describe_signal(child.signal), child.error.empty() ? "" : "; ",
-                         child.error);
+      return fmt::format("ended by a signal: {}{}{}", describe_signal(child.signal), child.last_line.empty() ? "" : "; ",
+                         child.last_line);
     case ChildEnd::cancelled: return "cancelled";
     case ChildEnd::exited: break;
   }
-  return child.exit_code == 0 ? std::string() : message_of(child.error);
+  return child.exit_code == 0 ? std::string() : message_of(child);
 }
 
-/// Models that a scene needs are not on this machine: the loader's mend names the variable that says where to look.
-bool lacks_files(const ChildResult& check) {
-  return check.exit_code == 2 && check.error.find("GIBENCH_PATH") != std::string::npos;
+/// Of the work, as the run's record tells it; 0 where there is no record.
+std::uint64_t told_peak_bytes(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / result_file, ignored)) return 0;
+  try {
+    return read_run_record(folder / result_file).peak_bytes;
+  } catch (const InputError&) {
+    return 0;
+  }
 }
 
 void make_folder(const fs::path& folder) {
@@ -124,7 +130,7 @@ ChildResult StudyRunner::child(std::vector<std::string> arguments, const ChildLi
     arguments.push_back(argument);
   ChildResult result = run_child(arguments, limits, folders_.scratch(), name);
   std::error_code ignored;
-  for (const char* extension : {".out", ".err"}) fs::remove(folders_.scratch() / (name + extension), ignored);
+  for (const char* extension : {".out", ".err", ".error"}) fs::remove(folders_.scratch() / (name + extension), ignored);
   return result;
 }
 
@@ -135,13 +141,12 @@ void StudyRunner::check_scenes() {
     stop_if_cancelled();
     if (result.end == ChildEnd::exited && result.exit_code == 0) {
       scenes_[s].check = Json::parse(result.out);
-      if (study_.reference)
-        scenes_[s].reference = read_json_if_there(folders_.reference(scene.name) / reference_file).value_or(Json());
-    } else if (lacks_files(result)) {
-      scenes_[s].skipped = message_of(result.error);
+      if (study_.reference) scenes_[s].reference = reference_if_there(scene.name);
+    } else if (told(result, ErrorCode::missing_file)) {  // of models that are not on this machine
+      scenes_[s].skipped = message_of(result);
       tell(fmt::format("skipped {}: {}", scene.name, *scenes_[s].skipped));
-    } else if (result.exit_code == 2) {
-      throw InputError("scene " + scene.name, message_of(result.error));
+    } else if (told(result, ErrorCode::bad_input)) {
+      throw InputError("scene " + scene.name, message_of(result));
     } else {
       throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));
     }
@@ -172,11 +177,11 @@ void StudyRunner::make_reference(std::size_t scene) {
   if (result.end == ChildEnd::cancelled) return;
   if (const std::string reason = reason_of(result, limits); !reason.empty()) {
     state.reference_message = "no reference: " + reason;
-    state.reference = Json();
+    state.reference.reset();
     tell(fmt::format("{}: {}", name, state.reference_message));
     return;
   }
-  state.reference = read_json_if_there(folder / reference_file).value_or(Json());
+  state.reference = reference_if_there(name);
   tell(fmt::format("{}: reference ready, {:.1f} s", name, result.seconds));
 }
 
@@ -231,7 +236,7 @@ void StudyRunner::run_one(const PlannedRun& run) {
                                        "--references",
                                        (folders_.root / "references" / "store").string()};
     for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
-    const std::vector<std::string> measuring = measuring_arguments(study_.measuring);
+    const std::vector<std::string> measuring = arguments_of(study_.measuring);
     arguments.insert(arguments.end(), measuring.begin(), measuring.end());
     const std::vector<std::string> plan = plan_arguments(variant.plan);
     arguments.insert(arguments.end(), plan.begin(), plan.end());
@@ -268,28 +273,25 @@ void StudyRunner::relight_one(const PlannedRelight& planned) {
 
 void StudyRunner::record(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
   const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
-  const std::string status = status_of(child_result);
-  Json entry{{"key", key}, {"status", status}};
-  if (child_result.end == ChildEnd::exited) entry["exit_code"] = child_result.exit_code;
   const std::string reason = reason_of(child_result, limits);
-  if (!reason.empty()) entry["message"] = reason;
-  entry["wall_seconds"] = child_result.seconds;
+  ProcessRecord entry;
+  entry.key = key, entry.status = status_of(child_result), entry.message = reason;
+  entry.wall_seconds = child_result.seconds;
+  if (child_result.end == ChildEnd::exited) entry.exit_code = child_result.exit_code;
+  if (child_result.error) entry.error = child_result.error->code;
+  if (child_result.peak_bytes > 0) entry.peak_bytes = entry.process_peak_bytes = child_result.peak_bytes;
   // A run that ended well tells its peak before it loads the library that writes its pictures.
-  const auto result = read_json_if_there(made / result_file);
-  const Json memory = result ? result->value("memory", Json::object()) : Json::object();
-  if (memory.contains("peak_bytes")) entry["peak_bytes"] = memory.at("peak_bytes");
-  else if (child_result.peak_bytes > 0) entry["peak_bytes"] = child_result.peak_bytes;
-  if (child_result.peak_bytes > 0) entry["process_peak_bytes"] = child_result.peak_bytes;
+  if (const std::uint64_t peak = told_peak_bytes(made); peak > 0) entry.peak_bytes = peak;
   make_folder(made);  // there already after a run that came to its end
-  write_file_atomically(made / run_file, entry.dump(2) + "\n");
+  write_file_atomically(made / process_file, to_json(entry).dump(2) + "\n");
   fs::path partial = made;
   partial += ".partial";
   std::error_code ignored;
   fs::remove_all(partial, ignored);  // left by a child that was killed
   replace_folder(made, folders_.run(id));
   const std::size_t finished = ++finished_;
-  tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, id, status, child_result.seconds, reason.empty() ? "" : ": ",
-                   reason));
+  tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, id, to_string(entry.status), child_result.seconds,
+                   reason.empty() ? "" : ": ", reason));
   {
     const std::lock_guard lock(terminal_);
     progress_->update("", static_cast<double>(finished) / static_cast<double>(due_));
@@ -298,10 +300,22 @@ void StudyRunner::record(const std::string& id, const ChildResult& child_result,
 }
 
 bool StudyRunner::is_kept(const std::string& id, const std::string& key) const {
-  const std::optional<Json> entry = read_json_if_there(folders_.run(id) / run_file);
-  if (!entry || entry->value("key", "") != key) return false;
-  const std::string status = entry->value("status", "");
-  return status == "done" || status == "refused" || status == "timed_out";
+  const std::optional<ProcessRecord> recorded = read_process_record(folders_.run(id) / process_file);
+  return recorded && recorded->key == key &&
+         (recorded->status == RunStatus::done || recorded->status == RunStatus::refused ||
+          recorded->status == RunStatus::timed_out);
+}
+
+/// Empty where there is none or it is damaged.
+std::optional<ReferenceRecord> StudyRunner::reference_if_there(const std::string& scene) const {
+  const fs::path file = folders_.reference(scene) / reference_file;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return std::nullopt;
+  try {
+    return read_reference_record(file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 void StudyRunner::tell(const std::string& line) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bench/measure/work_options.h"
+#include "bench/record/reference_record.h"
 #include "bench/study/child_process.h"
 #include "bench/study/shard.h"
 #include "bench/study/study_file.h"
@@ -27,14 +28,6 @@ struct StudySettings {
   int jobs = 1;        ///< processes at a time
   Shard shard;         ///< runs whose place in the plan mod `of` is `index`
 };
-
-/// A record of a run beside its result: how its process ended.
-inline constexpr const char* run_file = "run.json";
-/// What `gibench relight --out` wrote, beside it.
-inline constexpr const char* relight_file = "relight.json";
-
-/// The JSON in a file; empty where there is no such file or it is damaged.
-std::optional<nlohmann::ordered_json> read_json_if_there(const std::filesystem::path& file);
 
 /// A folder runs/ID appears whole, with run.json in it, whether the run came to its end or not; the manifest is
 /// collected from them. A finished run, a refusal and a time-out with the same key are kept, a crash or a failure is
@@ -51,10 +44,10 @@ class StudyRunner {
 
  private:
   struct SceneState {
-    nlohmann::ordered_json check;        ///< what `gibench check --json` says
-    std::optional<std::string> skipped;  ///< why its runs are left out
-    nlohmann::ordered_json reference;    ///< reference.json; null: none
-    std::string reference_message;       ///< why there is none
+    nlohmann::ordered_json check;              ///< what `gibench check --json` says
+    std::optional<std::string> skipped;        ///< why its runs are left out
+    std::optional<ReferenceRecord> reference;  ///< empty: none
+    std::string reference_message;             ///< why there is none
   };
 
   void check_scenes();
@@ -64,6 +57,7 @@ class StudyRunner {
   std::set<std::string> restricted_paths(std::size_t scene) const;
   std::vector<std::string> reference_arguments(std::size_t scene, const MeasuringOptions& measuring) const;
   ChildLimits reference_limits() const;
+  std::optional<ReferenceRecord> reference_if_there(const std::string& scene) const;
   void run_all();
   void run_one(const PlannedRun& run);
   void relight_one(const PlannedRelight& relight);

@@ -41,8 +41,8 @@ fs::path find_file(const fs::path& file, const fs::path& folder, const std::stri
     if (is_file(candidate / file)) return candidate == "." ? file : candidate / file;
     searched += (searched.empty() ? "" : ", ") + candidate.string();
   }
-  throw InputError(place, "there is no file " + in_quotes(file.string()) + " in " + searched,
-                   "correct the name, or add the folder that has it to GIBENCH_PATH");
+  throw MissingFileError(place, "there is no file " + in_quotes(file.string()) + " in " + searched,
+                         "correct the name, or add the folder that has it to GIBENCH_PATH");
 }
 
 }  // namespace gibench

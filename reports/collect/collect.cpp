@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <set>
 
-#include "common/core/error.h"
+#include "bench/record/json_fields.h"
+#include "bench/record/reference_record.h"
+#include "bench/record/relight_record.h"
 #include "common/core/enum_names.h"
+#include "common/core/error.h"
 #include "reports/collect/json_reading.h"
 #include "reports/tables/format.h"
 
@@ -59,10 +62,10 @@ StudyScene scene_of(const Json& entry, Study& study) {
     scene.bounces = (most ? exact(*most) : std::string("not bounded")) + " (for " + exact(*tolerance) + " of the light)";
   scene.facts = facts_of(entry, {"name", "skipped", "exposure", "message", "effects"});
   scene.reference_folder = inside(study.folder, text_at(entry, "reference").value_or("references/" + scene.name));
-  const fs::path file = scene.reference_folder / "reference.json";
+  const fs::path file = scene.reference_folder / reference_file;
   if (scene.reference_folder.empty() || !fs::exists(file)) return scene;
   try {
-    scene.reference = facts_of(read_json(file));
+    scene.reference = facts_of(to_json(read_reference_record(file)));
   } catch (const InputError& error) {
     study.warnings.push_back(without_folder(study, error.what()));
   }
@@ -83,10 +86,10 @@ StudyRun run_of(const Json& entry, Study& study) {
   run.folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + run.id));
 
   const std::string status = text_at(entry, "status").value_or("");
-  if (const auto known = find_named(all_statuses, status)) run.status = *known;
+  if (const auto known = run_status_of(status)) run.status = *known;
   else run.message = "unknown status '" + status + "' in the manifest" + (run.message.empty() ? "" : "; " + run.message);
 
-  const fs::path file = run.folder / "result.json";
+  const fs::path file = run.folder / result_file;
   const bool there = !run.folder.empty() && fs::exists(file);
   if (!there && run.status != RunStatus::done) return run;
   try {
@@ -111,11 +114,11 @@ StudyRelight relight_of(const Json& entry, Study& study) {
   relight.lights = text_at(entry, "lights").value_or("");
   relight.parameters = facts_of(object_at(entry, "parameters"));
   relight.message = text_at(entry, "message").value_or("");
-  relight.status = find_named(all_statuses, text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
+  relight.status = run_status_of(text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
   if (relight.status != RunStatus::done) return relight;
   const fs::path folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + relight.id));
   try {
-    read_relight(folder / "relight.json", relight);
+    read_relight(folder / relight_file, relight);
   } catch (const InputError& error) {
     relight.status = RunStatus::failed;
     relight.message = "its record cannot be used: " + without_folder(study, error.what());
@@ -153,7 +156,7 @@ Study collect_study(const fs::path& folder) {
   const std::string mend = "give the folder that `gibench study STUDY.json --out DIR` wrote";
   if (!fs::is_directory(folder)) throw InputError(folder.string(), "is not a folder", mend);
   if (!fs::exists(file)) throw InputError(folder.string(), "holds no manifest.json, so it is no study", mend);
-  const Json manifest = read_json(file);
+  const Json manifest = read_json_file(file);
   if (!manifest.is_object() || count_at(manifest, "gibench_study") != std::uint64_t{1})
     throw InputError(file.string(), "is no study manifest of version 1 (\"gibench_study\": 1)", mend);
 

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-
-#include "common/core/error.h"
 
 namespace gibench::report {
 namespace {
@@ -25,16 +22,6 @@ void collect_facts(const Json& value, const std::string& path, Facts& facts) {
 }
 
 }  // namespace
-
-Json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string(), "cannot be read", "check that it exists and may be read");
-  try {
-    return Json::parse(in);
-  } catch (const nlohmann::json::exception&) {
-    throw InputError(file.string(), "is not valid JSON", "it is damaged or was cut short: run the study again");
-  }
-}
 
 std::optional<std::string> text_at(const Json& object, const std::string& name) {
   const Json* value = entry(object, name);

@@ -1,20 +1,17 @@
-/// Lenient reading of JSON that may lack entries; nlohmann/json stays out of the other headers.
+/// Lenient reading of manifests, which may lack entries; nlohmann/json stays out of the other headers.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/record/json_fields.h"
 #include "reports/collect/study.h"
 
 namespace gibench::report {
 
 using Json = nlohmann::ordered_json;
-
-/// The parsed file. Throws InputError that names the file where it cannot be read or is no JSON.
-Json read_json(const std::filesystem::path& file);
 
 /// The entry as text, number or list of texts; empty where it is absent, null or of another type.
 std::optional<std::string> text_at(const Json& object, const std::string& name);

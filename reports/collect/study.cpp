@@ -2,18 +2,6 @@
 
 namespace gibench::report {
 
-const char* to_string(RunStatus status) {
-  switch (status) {
-    case RunStatus::done: return "done";
-    case RunStatus::refused: return "refused";
-    case RunStatus::timed_out: return "timed_out";
-    case RunStatus::crashed: return "crashed";
-    case RunStatus::failed: return "failed";
-    case RunStatus::skipped: return "skipped";
-  }
-  return "failed";
-}
-
 namespace {
 
 const MeasuredError* find(const std::map<ErrorKey, MeasuredError>& errors, const ErrorKey& key) {

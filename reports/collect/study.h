@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/record/process_record.h"
+#include "bench/record/relight_economics.h"
 #include "common/effects/component.h"
 #include "common/metrics/domain.h"
 
@@ -34,12 +36,6 @@ struct MeasuredError {
   std::optional<double> noise_floor;
   bool below_noise_floor = false;
 };
-
-enum class RunStatus { done, refused, timed_out, crashed, failed, skipped };
-inline constexpr std::array all_statuses{RunStatus::done,    RunStatus::refused, RunStatus::timed_out,
-                                         RunStatus::crashed, RunStatus::failed,  RunStatus::skipped};
-/// As in the manifest: "done", "timed_out", …
-const char* to_string(RunStatus status);
 
 /// What a method made of the effects that the scene calls for.
 struct Effects {
@@ -94,11 +90,6 @@ struct StudyRun {
   std::optional<double> transport_seconds(Domain domain) const;
 };
 
-/// A number within its 95% interval; an end that nothing bounds and a value that the reference's noise hides are absent.
-struct BoundedNumber {
-  std::optional<double> value, low, high;
-};
-
 /// A method prepared once and lit along a path.
 struct StudyRelight {
   std::string id, label, scene, method, lights;
@@ -108,9 +99,9 @@ struct StudyRelight {
   std::optional<std::uint64_t> frames;
   std::optional<double> prepare_seconds;
   std::optional<double> relight_seconds, shade_seconds;  ///< medians over the frames
-  std::optional<BoundedNumber> path_tracing_seconds;     ///< to the frame's error in the indirect light
-  std::optional<BoundedNumber> times_cheaper;            ///< than path tracing
-  std::optional<BoundedNumber> frames_that_pay;          ///< for preparing
+  std::optional<Bounded> path_tracing_seconds;           ///< to the frame's error in the indirect light
+  std::optional<Bounded> times_cheaper;                  ///< than path tracing
+  std::optional<Bounded> frames_that_pay;                ///< for preparing
 
   struct Frame {
     double at = 0.0;  ///< 0 for the first, 1 for the last

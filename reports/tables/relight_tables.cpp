@@ -12,7 +12,7 @@ namespace {
 
 /// "3.1 [2.5, 4.2]", or the one end that is known: "≥ 2.5".
 template <class Format>
-std::string bounded_text(const BoundedNumber& number, Format format) {
+std::string bounded_text(const Bounded& number, Format format) {
   const auto text = [&](const std::optional<double>& end) { return end ? format(*end) : std::string("–"); };
   if (number.value) return fmt::format("{} [{}, {}]", text(number.value), text(number.low), text(number.high));
   if (number.low && number.high) return fmt::format("[{}, {}]", text(number.low), text(number.high));
@@ -21,10 +21,10 @@ std::string bounded_text(const BoundedNumber& number, Format format) {
 }
 
 template <class Format>
-Cell bounded_cell(const std::optional<BoundedNumber>& number, Format format) {
+Cell bounded_cell(const std::optional<Bounded>& number, Format format) {
   return cell(
-      number, [&](const BoundedNumber& n) { return bounded_text(n, format); },
-      [](const BoundedNumber& n) { return n.value ? exact(*n.value) : std::string(); });
+      number, [&](const Bounded& n) { return bounded_text(n, format); },
+      [](const Bounded& n) { return n.value ? exact(*n.value) : std::string(); });
 }
 
 std::string significant_of(double value) { return significant(value); }
@@ -90,7 +90,7 @@ Table relit_frame_table(const Study& study) {
 
 std::string relight_sentence(const StudyRelight& relight) {
   if (!relight.prepare_seconds || !relight.frame_seconds() || !relight.frames_that_pay || !relight.times_cheaper) return {};
-  const BoundedNumber &pays = *relight.frames_that_pay, &cheaper = *relight.times_cheaper;
+  const Bounded &pays = *relight.frames_that_pay, &cheaper = *relight.times_cheaper;
   const std::string head = fmt::format("{} on {}: a frame takes {} after {} of preparing", relight.label, relight.scene,
                                        duration(*relight.frame_seconds()), duration(*relight.prepare_seconds));
   if (cheaper.high && *cheaper.high <= 1.0)

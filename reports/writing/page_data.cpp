@@ -192,7 +192,7 @@ Json split_json(const Study& study, const ErrorKey& key) {
   return {{"table", table_json(split_table(study, key))}, {"bounces", table_json(bounce_table(study, key))}, {"points", points}};
 }
 
-Json bounded_json(const std::optional<BoundedNumber>& number) {
+Json bounded_json(const std::optional<Bounded>& number) {
   if (!number) return {};
   return {{"value", or_null(number->value)}, {"low", or_null(number->low)}, {"high", or_null(number->high)}};
 }
@@ -261,7 +261,7 @@ std::string plot_templates(const std::filesystem::path& folder) {
   const std::string ending = ".vl.json";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(ending)) templates[name.substr(0, name.size() - ending.size())] = read_json(entry.path());
+    if (name.ends_with(ending)) templates[name.substr(0, name.size() - ending.size())] = read_json_file(entry.path());
   }
   return assignment("plots", templates);
 }

@@ -128,7 +128,8 @@ TEST_F(StudyFixture, RecordOfTheWrongShapeIsAFailedRun) {
 }
 
 TEST_F(StudyFixture, AnErrorOfUnknownLightIsAFailedRunThatNamesIt) {
-  std::ofstream(folder_ / "runs" / "run-1-1" / "result.json") << R"({"errors": {"magic": {"surface": {"rmse": {"value": 1}}}}})";
+  std::ofstream(folder_ / "runs" / "run-1-1" / "result.json")
+      << R"({"gibench_result": 1, "errors": {"magic": {"surface": {"rmse": {"value": 1}}}}})";
   const Study study = collect_study(folder_);
   const StudyRun& run = run_named(study, "run-1-1");
   EXPECT_EQ(run.status, RunStatus::failed);

@@ -1,0 +1,52 @@
+#include "bench/measure/measuring_fields.h"
+
+#include <type_traits>
+
+namespace gibench {
+
+namespace {
+
+constexpr std::size_t most_bounces = 1'000'000;
+
+std::string text_of(const std::string& value) { return value; }
+std::string text_of(const std::optional<int>& value) { return value ? std::to_string(*value) : std::string(); }
+template <class Number>
+std::string text_of(Number value) {
+  return std::to_string(value);
+}
+
+}  // namespace
+
+std::span<const MeasuringField> measuring_fields() {
+  using O = MeasuringOptions;
+  static const MeasuringField fields[] = {
+      {"--surface-samples", "surface_samples", "Surface samples at which irradiance is compared", &O::surface_samples, 1,
+       100'000'000, true},
+      {"--pixel-samples", "pixel_samples", "Camera rays per pixel, a square number", &O::pixel_samples, 1, 4096, true},
+      {"--camera", "camera", "Camera by name; without it: the scene's first", &O::camera},
+      {"--width", "image_width", "Width of the picture in pixels, its shape kept; 0: the camera's own", &O::image_width, 0,
+       16384},
+      {"--no-pictures", "pictures", "Surface samples alone, no camera picture", &O::pictures},
+      {"--light-paths", "", "Only these paths, an expression such as C.{0,1}[LOB]|CDD+[LOB]; without it: all", &O::light_paths},
+      {"--bounces", "bounces", "Reflections between a light and the surface asked about, at most; without it: all", &O::bounces,
+       0, most_bounces},
+  };
+  return fields;
+}
+
+std::vector<std::string> arguments_of(const MeasuringOptions& options) {
+  const MeasuringOptions defaults;
+  std::vector<std::string> arguments;
+  for (const MeasuringField& field : measuring_fields())
+    std::visit(
+        [&](auto member) {
+          if (options.*member == defaults.*member) return;
+          arguments.emplace_back(field.option);
+          if constexpr (!std::is_same_v<decltype(member), bool MeasuringOptions::*>)
+            arguments.push_back(text_of(options.*member));
+        },
+        field.member);
+  return arguments;
+}
+
+}  // namespace gibench

@@ -1,0 +1,42 @@
+/// How the process of a study's run ended: run.json beside the run's result.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "bench/record/error_record.h"
+
+namespace gibench {
+
+enum class RunStatus { done, refused, timed_out, crashed, failed, skipped };
+/// As in the files: "done", "timed_out", …
+const char* to_string(RunStatus status);
+std::optional<RunStatus> run_status_of(const std::string& name);
+
+inline constexpr const char* process_file = "run.json";
+
+struct ProcessRecord {
+  std::string key;  ///< of what was asked: another key means that the result is
+                    ///< not that of the study any more
+  RunStatus status = RunStatus::failed;
+  std::optional<int> exit_code;             ///< of a process that ended by itself
+  std::optional<ErrorCode> error;           ///< why it ended without a result, where it could tell
+  std::string message;                      ///< the same in words; empty for one that came to its end
+  std::optional<double> wall_seconds;       ///< of the whole process
+  std::optional<std::uint64_t> peak_bytes;  ///< of the work, as it told itself, else of the process
+  std::optional<std::uint64_t> process_peak_bytes;
+};
+
+nlohmann::ordered_json to_json(const ProcessRecord& record);
+/// Adds to a manifest's entry what the record says, without the key.
+void add_to_entry(const ProcessRecord& record, nlohmann::ordered_json& entry);
+/// What a manifest's entry says of its process; a status that is none is left
+/// at failed, with a message.
+ProcessRecord process_of_entry(const nlohmann::ordered_json& entry);
+/// Empty where the file is absent or damaged.
+std::optional<ProcessRecord> read_process_record(const std::filesystem::path& file);
+
+}  // namespace gibench

@@ -1,0 +1,28 @@
+/// What reference.json records of a stored reference that was written out, written and read here.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "bench/record/reference_facts.h"
+#include "bench/record/run_record.h"
+
+namespace gibench {
+
+inline constexpr const char* reference_file = "reference.json";
+
+struct ReferenceRecord {
+  ReferenceFacts facts;
+  std::string scene;
+  std::optional<Exposure> exposure;  ///< at which its picture is shown
+  std::optional<MeasuredCamera> camera;
+  std::string version, commit;  ///< of the program that wrote it
+};
+
+nlohmann::ordered_json to_json(const ReferenceRecord& record);
+/// Throws InputError that names the file.
+ReferenceRecord read_reference_record(const std::filesystem::path& file);
+
+}  // namespace gibench
