@@ -14,7 +14,7 @@
 #include "bench/measure/run_method.h"
 #include "bench/record/machine.h"
 #include "common/core/error.h"
-#include "common/scene/find_file.h"
+#include "common/core/find_file.h"
 
 namespace {
 
