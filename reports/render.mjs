@@ -1,4 +1,4 @@
-// Draws the plots of a report folder as SVG and PDF: node render.mjs REPORT. What is lacking is told on stdout, a line each.
+// Draws the plots of a report folder as SVG and PDF: node render.mjs REPORT. Prints one line on stdout for each thing that is missing.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";

@@ -97,7 +97,7 @@ void print_check(const Json& check) {
                effect["evidence"].get<std::string>());
   fmt::print("  {:<20} {}\n", "bounces", check["bounce_bound"]["evidence"].get<std::string>());
   fmt::print("  {:<20} {}\n", "changes", check["changes"].get<std::string>());
-  fmt::print("what the methods make of it\n");
+  fmt::print("what each method simulates\n");
   for (const Json& method : check["methods"]) {
     const auto name = method["method"].get<std::string>();
     if (method.contains("refusal")) {
@@ -148,7 +148,7 @@ ExitStatus check(const CheckOptions& options, const CommonOptions& common) {
 }  // namespace
 
 void add_check(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "check", "Validates a scene: geometry facts, what it calls for, every method's plan");
+  CLI::App* verb = add_verb(app, call, "check", "Validates a scene: geometry, the effects it calls for, every method's plan");
   const auto options = std::make_shared<CheckOptions>();
   verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
   verb->add_option("--method", options->method, "Only this method's plan");

@@ -79,11 +79,11 @@ ExitStatus compare(const CompareOptions& options, bool json) {
 }  // namespace
 
 void add_compare(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "compare", "Every image metric of two EXR, HDR, PNG or JPEG files");
+  CLI::App* verb = add_verb(app, call, "compare", "Computes every image metric of two EXR, HDR, PNG or JPEG files");
   const auto options = std::make_shared<CompareOptions>();
-  verb->add_option("reference", options->reference, "The picture that is taken as right")->required();
-  verb->add_option("test", options->test, "The picture that is held against it")->required();
-  verb->add_option("--pixels-per-degree", options->pixels_per_degree, "Of the display, as FLIP's observer sees it")
+  verb->add_option("reference", options->reference, "The picture that is taken as correct")->required();
+  verb->add_option("test", options->test, "The picture that is compared with it")->required();
+  verb->add_option("--pixels-per-degree", options->pixels_per_degree, "Resolution of the display, as FLIP's observer sees it")
       ->check(CLI::Range(1.0F, 1000.0F))
       ->capture_default_str();
   verb->add_option("--exposures", options->exposures, "START,STOP,N of HDR-FLIP, in stops; without it from the reference");

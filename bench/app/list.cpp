@@ -118,7 +118,7 @@ ExitStatus list_all(const std::vector<Json>& list, bool json) {
 }  // namespace
 
 void add_list(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "list", "What there is: methods and their parameters, scenes, effects, metrics");
+  CLI::App* verb = add_verb(app, call, "list", "Lists methods and their parameters, scenes, effects or metrics");
   const auto options = std::make_shared<ListOptions>();
   verb->add_option("what", options->what, "methods, scenes, effects or metrics")
       ->check(CLI::IsMember({"methods", "scenes", "effects", "metrics"}))

@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
   die_with_parent_study();
   listen_for_cancellation();
   const int status = guarded(argc, argv);
-  // Answers on stdout that did not fit on the disk are no answers.
+  // Answers that could not be written to stdout (a full disk) count as failure.
   if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && status == 0)
     return failed(ExitStatus::work_failed, ErrorCode::work_failed, "stdout: cannot be written to");
   return status;

@@ -29,7 +29,7 @@ struct QueryOptions {
 
 constexpr float reach = 1e-4F;  // of the scene's diagonal: how far a point may lie from its surface
 
-/// Queries that one call of shade() answers, by their places in the list.
+/// Queries that one call of shade() answers, as indices into the list.
 using Group = std::vector<std::size_t>;
 
 std::vector<SurfaceSample> surface_points(const World& world, const std::vector<Query>& queries) {
@@ -113,7 +113,7 @@ ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
 }  // namespace
 
 void add_query(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "query", "Light at given points of a scene, by one method");
+  CLI::App* verb = add_verb(app, call, "query", "Computes the light at given points of a scene by one method");
   const auto options = std::make_shared<QueryOptions>();
   verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
   verb->add_option("--method", options->method, "Method; see gibench list methods")->required();

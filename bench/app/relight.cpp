@@ -176,24 +176,22 @@ ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
 }  // namespace
 
 void add_relight(CLI::App& app, Call& call) {
-  CLI::App* verb =
-      add_verb(app, call, "relight", "Lights along a path, materials that switch: time and error of each relit frame");
+  CLI::App* verb = add_verb(app, call, "relight", "Moves lights and switches materials: time and error of each relit frame");
   const auto options = std::make_shared<RelightOptions>();
   verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
   verb->add_option("--method", options->method, "Method that relights; see gibench list methods")->required();
   verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
-  verb->add_option("--lights", options->path, "JSON file of the path; see scenes/README.md")->required();
+  verb->add_option("--lights", options->path, "JSON file of the moving lights; see scenes/README.md")->required();
   verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
   verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which a frame's irradiance is asked")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
       ->capture_default_str();
-  verb->add_option(
-          "--compared-samples", options->compared_samples,
-          "Surface samples at which frames are compared, path tracing's time being taken in proportion; 0: as many as asked")
+  verb->add_option("--compared-samples", options->compared_samples,
+                   "Surface samples at which frames are compared; path tracing's time is scaled to all samples; 0: all of them")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100'000'000}))
       ->capture_default_str();
   verb->add_option("--reference-samples", options->reference_samples,
-                   "Paths a value in each of eight path-traced replicates that every frame is compared with; 0: no errors")
+                   "Paths per value in each of the eight path-traced replicates that a frame is compared with; 0: no errors")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20))
       ->capture_default_str();
   verb->add_option("--out", options->out, "JSON file for the frames; with --json they go to stdout");

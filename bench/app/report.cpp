@@ -9,7 +9,7 @@
 namespace gibench {
 
 void add_report(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "report", "A study's results as a web page, tables and plots");
+  CLI::App* verb = add_verb(app, call, "report", "Makes a web page, tables and plots of a study's results");
   struct Options {
     std::filesystem::path study, out;
   };

@@ -31,7 +31,7 @@ struct RunOptions {
   bool force = false;
 };
 
-/// The stored reference, or none with a warning that names the command that makes it. Never makes one.
+/// The stored reference; if there is none, a warning with the command that makes it. Never makes one itself.
 std::optional<Reference> stored_reference(const RunOptions& options, const Scene& scene, std::vector<std::string>& warnings) {
   if (options.reference == "none") return std::nullopt;
   const bool named = options.reference != "auto";
@@ -58,7 +58,7 @@ std::optional<Reference> reference_of(const RunOptions& options, const Scene& sc
   return ReferenceStore(store_of(options)).find(scene, restricted_to(question_of(scene, options.measuring), light_paths));
 }
 
-/// What the paths that a method lacks cost, and what it does wrong on those that it has.
+/// Model error (of the paths that a method lacks) and discretisation error (on those that it has).
 void split_errors(const RunOptions& options, const Scene& scene, const Reference& all, const Exposure& exposure,
                   RunOutcome& outcome, std::vector<std::string>& warnings) {
   RunRecord& record = outcome.record;
@@ -66,7 +66,7 @@ void split_errors(const RunOptions& options, const Scene& scene, const Reference
   const std::optional<Reference> some = reference_of(options, scene, record.light_paths);
   if (!some) {
     warnings.push_back(
-        "no stored reference of the light paths that the method simulates, so its model error is not told; make one: " +
+        "no stored reference of the light paths that the method simulates, so its model error is unknown; make one: " +
         command_for(options, record.light_paths));
     return;
   }
@@ -97,7 +97,7 @@ void add_bounces(const RunOptions& options, const LoadedScene& scene, const Meth
   record.per_bounce =
       errors_per_bounce(scene, choice, options.measuring, options.plan, common, *options.per_bounce, exposure, find, lacking);
   for (const std::string& light_paths : lacking)
-    warnings.push_back("a bounce is left out for want of a reference; make it: " + command_for(options, light_paths));
+    warnings.push_back("a bounce is left out, its reference is missing; make it: " + command_for(options, light_paths));
 }
 
 Exposure shown_exposure(const Scene& scene, const RunOutcome& outcome, const std::optional<Reference>& reference) {
@@ -174,7 +174,7 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
 }  // namespace
 
 void add_run(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "run", "One method on one scene: its answers, their cost and their errors");
+  CLI::App* verb = add_verb(app, call, "run", "Runs one method on one scene: its answers, their cost and their errors");
   const auto options = std::make_shared<RunOptions>();
   verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
   verb->add_option("--method", options->method, "Method; see gibench list methods")->required();
@@ -183,7 +183,7 @@ void add_run(CLI::App& app, Call& call) {
   add_plan_options(*verb, options->plan);
   add_light_paths_option(*verb, options->plan.light_paths);
   verb->add_option("--per-bounce", options->per_bounce,
-                   "Also the errors of the light of 0 to N reflections each by itself; needs references of their light paths")
+                   "Also the errors of each bounce order from 0 to N separately; needs references of their light paths")
       ->check(CLI::Range(0, 64));
   verb->add_option("--reference-seed", options->measuring.reference_seed,
                    "Seed of the reference, the surface samples and the camera rays")

@@ -37,13 +37,13 @@ void list_runs(const Study& study, bool json) {
   if (json) print_json(list);
 }
 
-/// A folder that is new, empty or a study's.
+/// Accepts a folder that is new, empty or a study's.
 void check_folder(const fs::path& out) {
   std::error_code ignored;
   if (!fs::exists(out, ignored)) return;
-  if (!fs::is_directory(out, ignored)) throw InputError(out.string(), "is no folder", "choose another --out");
+  if (!fs::is_directory(out, ignored)) throw InputError(out.string(), "is not a folder", "choose another --out");
   if (!fs::is_empty(out, ignored) && !fs::exists(out / "runs", ignored))
-    throw InputError(out.string(), "holds something else than a study", "choose another --out");
+    throw InputError(out.string(), "is not empty and holds no study", "choose another --out");
 }
 
 void print_summary(const Json& manifest, const fs::path& out) {
@@ -76,7 +76,7 @@ ExitStatus study(StudyOptions options, const CommonOptions& common) {
 }  // namespace
 
 void add_study(CLI::App& app, Call& call) {
-  CLI::App* verb = add_verb(app, call, "study", "Scenes x methods x parameter sweeps into a folder; resumes by itself");
+  CLI::App* verb = add_verb(app, call, "study", "Runs scenes x methods x parameter sweeps into a folder; resumes by itself");
   const auto options = std::make_shared<StudyOptions>();
   verb->add_option("study", options->study, "Study file")->required();
   verb->add_option("--out", options->settings.out, "Folder for the results");

@@ -94,7 +94,7 @@ std::vector<Rgb> CameraPoints::pixel_variances(std::span<const Rgb> at_samples) 
 int strata_per_side(int rays_per_pixel, const char* place) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(rays_per_pixel))));
   if (rays_per_pixel < 1 || side * side != rays_per_pixel)
-    throw InputError(place, fmt::format("{} is no square number", rays_per_pixel),
+    throw InputError(place, fmt::format("{} is not a square number", rays_per_pixel),
                      "write 1, 4, 9, 16, …: camera rays stand in a square");
   return side;
 }

@@ -1,4 +1,4 @@
-/// What a camera sees: the surface points of its pixels, the same for every method and for the reference.
+/// The surface points that a camera's pixels see, the same for every method and for the reference.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct CameraPoints {
 CameraPoints camera_points(const World& world, const DirectLight& light, const Camera& camera, int rays_per_pixel,
                            std::uint64_t seed, int threads);
 
-/// The p of `rays_per_pixel` = p². Throws InputError at `place` for a number that is no square.
+/// The p of `rays_per_pixel` = p². Throws InputError at `place` for a number that is not a square.
 int strata_per_side(int rays_per_pixel, const char* place);
 
 }  // namespace gibench

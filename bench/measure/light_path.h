@@ -23,7 +23,7 @@ struct PathFrame {
 
 /// All frames of a path on a scene: numbers of a light are interpolated linearly between the keys that give them and
 /// held before the first and behind the last; switches act from the first frame at or behind their time. `frames`: how many, in
-/// place of the file's own. Throws InputError with file, JSON path and mend; everything is checked before any work.
+/// place of the file's own. Throws InputError with file, JSON path and how to fix it; everything is checked before any work.
 std::vector<PathFrame> read_light_path(const std::filesystem::path& file, const Scene& scene, std::optional<int> frames);
 
 }  // namespace gibench

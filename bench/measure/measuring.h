@@ -1,4 +1,4 @@
-/// Where every method is asked for light, and its answers there.
+/// The points at which every method is asked for light, and its answers there.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct MeasuringOptions {
 /// Throws InputError for an unknown name, the known ones listed.
 std::optional<Camera> chosen_camera(const Scene& scene, const MeasuringOptions& options);
 
-/// What the stored reference of these options answers.
+/// The question that the stored reference of these options answers.
 ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& options);
 
 /// OSL light-path expression of all paths with at most so many reflections before the surface that the camera sees.

@@ -1,4 +1,4 @@
-/// Errors bounce by bounce: a method asked for the light of each number of reflections by itself.
+/// Errors of each bounce order: a method is asked for the light of each number of reflections separately.
 #pragma once
 
 #include <functional>

@@ -25,8 +25,8 @@ std::vector<Rgb> component_of(const Answers& answers, Component component) {
 
 void check_sizes(const ReferenceValues& values, const Answers& answers, Domain where) {
   if (values.direct.size() != answers.direct.size() || values.indirect.size() != answers.indirect.size())
-    throw InputError(std::string("the stored reference, ") + to_string(where),
-                     "holds another number of values than were asked for", "it is damaged: remove its folder and make it again");
+    throw InputError(std::string("the stored reference, ") + to_string(where), "holds more or fewer values than were asked for",
+                     "it is damaged: remove its folder and make it again");
 }
 
 void check_comparable(const Replicas& all, const Replicas& some) {

@@ -13,7 +13,7 @@ namespace gibench {
 ComponentErrors errors_against(const Reference& reference, const Answers& surface, const std::optional<Answers>& image,
                                const Exposure& exposure);
 
-/// The reference of some paths held against that of all: what those paths lack. Both with equally many replicates or the
+/// The reference of some paths compared with that of all: their model error. Both with equally many replicates or the
 /// surplus is left out; replicate by replicate the two may share random numbers, so that their noise is that of the
 /// difference. InputError where they answer different questions otherwise.
 ComponentErrors model_errors(const Reference& all, const Reference& some, const Exposure& exposure);

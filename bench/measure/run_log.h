@@ -1,4 +1,4 @@
-/// What happened in a run, line by line, with times: log.txt, and warnings on stderr.
+/// The log of a run, line by line, with times: log.txt, and warnings on stderr.
 #pragma once
 
 #include <filesystem>

@@ -55,7 +55,7 @@ MethodChoice choose_method(const std::string& name, const std::vector<std::strin
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw InputError("--set", fmt::format("'{}' is no setting", setting), "write --set name=value");
+      throw InputError("--set", fmt::format("'{}' is not a setting", setting), "write --set name=value");
     pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
   }
   return {&entry, Parameters(entry.schema, pairs)};

@@ -1,4 +1,4 @@
-/// Where a scene that the user names is found.
+/// The search for a scene that the user names.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// Embree by itself: the plainest loops over the rays that the project's ray backend is measured against.
+/// Embree alone: the simplest loops over the same rays, with which the project's ray backend is compared.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// How far resident memory rises above what it is now (Linux).
+/// The rise of resident memory above its present value (Linux).
 #pragma once
 
 #include <malloc.h>

@@ -1,4 +1,4 @@
-/// Which program ran where: what a result needs to be understood later.
+/// The program and the machine of a run: needed to understand a result later.
 #pragma once
 
 #include <cstdint>

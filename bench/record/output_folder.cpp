@@ -28,7 +28,7 @@ OutputFolder::OutputFolder(fs::path target, const std::string& marker, bool forc
   const bool empty = exists && fs::is_directory(target_, error) && fs::is_empty(target_, error);
   if (exists && !empty) {
     if (!fs::exists(target_ / marker, error))
-      throw InputError(target_.string(), "exists and is no result of gibench", "choose another --out");
+      throw InputError(target_.string(), "exists and was not made by gibench", "choose another --out");
     if (!force) throw InputError(target_.string(), "exists already", "choose another --out, or replace it with --force");
   }
   partial_ = target_;

@@ -30,11 +30,11 @@ const json& required(const json& object, const char* key, const JsonPlace& place
 Vec3d read_vector(const json& object, const char* key, const JsonPlace& query) {
   const json& list = required(object, key, query);
   const JsonPlace place = query[key];
-  if (!list.is_array() || list.size() != 3) throw InputError(place.text(), "is no list of three numbers", "write [x, y, z]");
+  if (!list.is_array() || list.size() != 3) throw InputError(place.text(), "is not a list of three numbers", "write [x, y, z]");
   Vec3d vector{0};
   for (int i = 0; i < 3; ++i) {
     const json& item = list[static_cast<std::size_t>(i)];
-    if (!item.is_number()) throw InputError(place[static_cast<std::size_t>(i)].text(), "is no number", "write a number");
+    if (!item.is_number()) throw InputError(place[static_cast<std::size_t>(i)].text(), "is not a number", "write a number");
     vector[i] = item.get<double>();
   }
   return vector;
@@ -50,7 +50,7 @@ Vec3d read_unit_vector(const json& object, const char* key, const JsonPlace& que
 
 std::string read_text(const json& object, const char* key, const JsonPlace& query) {
   const json& value = required(object, key, query);
-  if (!value.is_string()) throw InputError(query[key].text(), "is no text", "write a text in quotation marks");
+  if (!value.is_string()) throw InputError(query[key].text(), "is not a string", "write it in quotation marks");
   return value.get<std::string>();
 }
 
@@ -75,7 +75,7 @@ std::optional<int> read_bounces(const json& object, const JsonPlace& query) {
   const auto found = object.find("bounces");
   if (found == object.end() || found->is_null()) return std::nullopt;
   if (!found->is_number_unsigned() || found->get<std::uint64_t>() > 1'000'000)
-    throw InputError(query["bounces"].text(), "is no number of reflections", "write a whole number from 0, or null for all");
+    throw InputError(query["bounces"].text(), "is not a number of reflections", "write a whole number from 0, or null for all");
   return found->get<int>();
 }
 
@@ -88,7 +88,8 @@ void check_keys(const json& object, const JsonPlace& query) {
 }
 
 Query read_query(const json& object, const JsonPlace& place) {
-  if (!object.is_object()) throw InputError(place.text(), "is no object", "write {\"id\", \"point\", \"normal\", \"quantity\"}");
+  if (!object.is_object())
+    throw InputError(place.text(), "is not an object", "write {\"id\", \"point\", \"normal\", \"quantity\"}");
   check_keys(object, place);
   Query query;
   query.place = place.text();
@@ -121,9 +122,9 @@ const char* to_string(Quantity quantity) {
 std::vector<Query> parse_queries(const std::string& text, const std::string& file) {
   const json parsed = parse_json(text, file);
   const JsonPlace top(file);
-  if (!parsed.is_object()) throw InputError(top.text(), "is no object", "write {\"queries\": [ … ]}");
+  if (!parsed.is_object()) throw InputError(top.text(), "is not an object", "write {\"queries\": [ … ]}");
   const json& list = required(parsed, "queries", top);
-  if (!list.is_array()) throw InputError(top["queries"].text(), "is no list", "write \"queries\": [ … ]");
+  if (!list.is_array()) throw InputError(top["queries"].text(), "is not a list", "write \"queries\": [ … ]");
   std::vector<Query> queries;
   for (std::size_t i = 0; i < list.size(); ++i) queries.push_back(read_query(list[i], top["queries"][i]));
   return queries;

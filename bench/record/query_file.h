@@ -27,8 +27,8 @@ struct QueryAnswer {
   std::optional<Rgb> standard_error;
 };
 
-/// Parses and checks. Throws InputError with file, JSON path and mend. `value`, `abs_uncertainty` and `note` of a query
-/// are let pass, so that a file may carry what it expects.
+/// Parses and checks. Throws InputError with file, JSON path and how to fix it. `value`, `abs_uncertainty` and `note` of a query
+/// are accepted and ignored, so that a file may hold the answers that it expects.
 std::vector<Query> parse_queries(const std::string& text, const std::string& file);
 
 /// {"queries": [{"id", "value", "standard_error"}]} in the order of the queries.

@@ -1,4 +1,4 @@
-/// How good a stored reference is, in few numbers.
+/// The quality of a stored reference in a few numbers.
 #pragma once
 
 #include <cstdint>

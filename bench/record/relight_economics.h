@@ -1,4 +1,4 @@
-/// What a relit frame is worth: path tracing's time for the same error, and the frames after which preparing has paid.
+/// The worth of a relit frame: path tracing's time for the same error, and the frames after which preparation has paid.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// What `gibench relight` records: every frame's cost and errors, and what relighting is worth beside path tracing.
+/// The record of `gibench relight`: cost and errors of every frame, and relighting compared with path tracing.
 /// relight.json, written and read here.
 #pragma once
 

@@ -11,7 +11,7 @@
 
 namespace gibench {
 
-/// Name of the environment variable with which a study tells its children its process id.
+/// Name of the environment variable that gives a study's children its process id.
 inline constexpr const char* parent_variable = "GIBENCH_STUDY_PROCESS";
 
 struct ChildLimits {

@@ -67,7 +67,7 @@ struct Study {
   std::optional<std::uint64_t> memory_limit_bytes;
 };
 
-/// Reads, validates and expands the sweeps. Throws InputError with file, JSON path and mend: unknown keys, methods and
+/// Reads, validates and expands the sweeps. Throws InputError with file, JSON path and how to fix it: unknown keys, methods and
 /// parameters (the known ones listed), values out of range, labels or scenes that stand twice, scenes that are nowhere.
 Study read_study(const std::filesystem::path& file);
 

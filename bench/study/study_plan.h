@@ -25,7 +25,7 @@ struct PlannedRelight {
 std::vector<PlannedRun> plan_runs(const Study& study);
 std::vector<PlannedRelight> plan_relights(const Study& study);
 
-/// What a finished run is known by: another key means that its result is not that of this study any more. Hash of the
+/// The key of a finished run: if it differs, the result is not that of this study any more. Hash of the
 /// program's version and commit, scene, method, parameters, seed, threads, where it is measured, and the reference.
 std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key,
                     const std::string& reference_state);

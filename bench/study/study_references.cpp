@@ -1,4 +1,4 @@
-/// The references that a study's runs are held against: of all paths, and of those that its methods simulate.
+/// The references that a study's runs are compared with: of all paths, and of those that its methods simulate.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -280,7 +280,7 @@ void StudyRunner::record(const std::string& id, const ChildResult& child_result,
   if (child_result.end == ChildEnd::exited) entry.exit_code = child_result.exit_code;
   if (child_result.error) entry.error = child_result.error->code;
   if (child_result.peak_bytes > 0) entry.peak_bytes = entry.process_peak_bytes = child_result.peak_bytes;
-  // A run that ended well tells its peak before it loads the library that writes its pictures.
+  // A run that succeeded records its peak before it loads the library that writes its pictures.
   if (const std::uint64_t peak = told_peak_bytes(made); peak > 0) entry.peak_bytes = peak;
   make_folder(made);  // there already after a run that came to its end
   write_file_atomically(made / process_file, to_json(entry).dump(2) + "\n");

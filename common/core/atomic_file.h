@@ -1,5 +1,5 @@
 /// Files written whole or not at all: the bytes go to a file beside, which is then renamed, so that a full disk or
-/// a killed run leaves the old file, or none, never a half.
+/// a killed run leaves the old file or none, never half a file.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// What a run did, counted: rays, basis functions, iterations, … Counters belong to a run, never to the process.
+/// Counts of a run's work: rays, basis functions, iterations, … Counters belong to a run, never to the process.
 #pragma once
 
 #include <cstdint>

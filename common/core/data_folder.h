@@ -1,4 +1,4 @@
-/// Where the files lie that the program reads at run time: scenes, schemas, the report's page.
+/// The folder of the files that the program reads at run time: scenes, schemas, the report's page.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 /// The error channels: bad input throws InputError; work that could not be finished throws WorkError; a programmer's error
-/// throws CheckFailed. What numerics do is told in a StageReport, never thrown. Nothing ends the process.
+/// throws CheckFailed. The outcome of numerics goes into a StageReport, it is never thrown. Nothing ends the process.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace gibench {
 
-/// The input or the call is wrong. `what()` is one line: place, what is wrong, how to mend it. Exit status 2.
+/// The input or the call is wrong. `what()` is one line: place, what is wrong, how to fix it. Exit status 2.
 class InputError : public std::runtime_error {
  public:
   /// place: file, JSON path or option; problem: what is wrong there; mend: what to write instead (may be empty).

@@ -1,4 +1,4 @@
-/// Where a file that a scene or the command line names is found.
+/// The search for a file that a scene or the command line names.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@ namespace gibench {
 
 namespace {
 
-// Triangles; every one is held against every vertex, so larger meshes are taken as general: never wrong, at most not the
+// Triangles; every one is tested against every vertex, so larger meshes are taken as general: never wrong, at most not the
 // least work.
 constexpr std::size_t largest_arrangement = 4096;
 constexpr float planarity = 1e-5F;     // of the scene's diagonal

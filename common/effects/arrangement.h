@@ -1,4 +1,4 @@
-/// How surfaces lie to one another and to what is outside, as far as visibility goes.
+/// The arrangement of surfaces, as far as visibility depends on it.
 #pragma once
 
 #include "common/ray/world.h"

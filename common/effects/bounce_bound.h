@@ -1,4 +1,4 @@
-/// How many reflections a scene's light needs.
+/// The number of reflections that a scene's light needs.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// What the edits of a scene change, from its lights alone to its shape.
+/// The kinds of change that a scene's edits make, from its lights alone to its shape.
 #pragma once
 
 #include <set>

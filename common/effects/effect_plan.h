@@ -57,11 +57,11 @@ struct EffectPlan {
   std::vector<SkippedEffect> skipped;  ///< not called for, or not allowed: not computed
   std::optional<int> max_bounces;      ///< reflections between a light and the surface asked about; empty: no bound
 
-  // What the analysis found out besides; the defaults claim nothing.
+  // Further results of the analysis; the defaults claim nothing.
   Arrangement arrangement = Arrangement::general;
   bool sealed = false;         ///< nothing from outside, an environment or a directional light, reaches a surface
   bool unlit = false;          ///< the scene has no light
-  bool grey_surfaces = false;  ///< no surface tells the channels apart
+  bool grey_surfaces = false;  ///< every surface treats all channels alike
   std::set<Change> changes;    ///< what the scene's edits change
   std::string light_paths;     ///< only these paths, as an expression; empty: whatever else the plan says
 

@@ -37,7 +37,7 @@ std::string light_paths_of(const EffectPlan& plan, bool direct_of_every_lobe, co
   const std::string end = computes(Effect::environment) ? "[LOB]" : "[LO]";
   const std::string seen = computes(Effect::glossy_final_bounce) ? "." : "D";
   const std::string seen_directly = direct_of_every_lobe && !plan.forbids(Effect::glossy_final_bounce) ? "." : seen;
-  // A class that the scene does not call for holds no path of it: told where that makes the expression simpler.
+  // A class that the scene does not call for has no path of it: left in where that makes the expression simpler.
   const bool every_class = computes(Effect::direct) && computes(Effect::diffuse_indirect) && computes(Effect::glossy_chain);
   const auto tells = [&](Effect effect) { return every_class || plan.simulates(effect); };
   const bool direct = tells(Effect::direct) && first == 0;

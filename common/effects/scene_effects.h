@@ -1,4 +1,4 @@
-/// What a scene calls for, with the evidence, and the plan that follows for a method.
+/// The effects that a scene calls for, with the evidence, and the plan that follows for a method.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct EffectEvidence {
   std::string why;  ///< the evidence, one line: "1 emitting material ('lamp')", "every diffuse albedo is 0"
 };
 
-/// Share of the light at which a scene's bounce bound is told where none is asked for.
+/// Share of the light for which a scene's bounce bound is shown if none is asked for.
 inline constexpr double usual_tolerance = 1e-3;
 
 /// Every effect once, in the order of all_effects().
@@ -46,8 +46,8 @@ SceneEffects analyse_effects(const World& world, const Lighting& lighting, const
 /// With a bound on the reflections between a light and the surface asked about alone.
 SceneEffects analyse_effects(const World& world, std::optional<int> bounces = std::nullopt);
 
-/// called for ∩ what the method can do ∩ what the analysis was told to allow; the rest is missing (called for, beyond the
-/// method) or skipped with its reason. Two-sided surfaces and colour are every method's to live with: one that cannot
+/// called for ∩ what the method can do ∩ what the user allows; the rest is missing (called for, beyond the
+/// method) or skipped with its reason. Every method must handle two-sided surfaces and colour: one that cannot
 /// refuses the scene.
 EffectPlan plan_effects(const SceneEffects& scene, const EffectSet& can_do);
 

@@ -1,4 +1,4 @@
-/// What the parts of a scene say, counted once: the ground of the effect analysis.
+/// Facts about the parts of a scene, counted once: the basis of the effect analysis.
 #pragma once
 
 #include <array>

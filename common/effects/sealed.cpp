@@ -21,7 +21,7 @@ namespace gibench {
 namespace {
 
 constexpr std::size_t most_triangles = 2048;
-constexpr std::size_t most_pairs = std::size_t{1} << 22;  // of faces held against one another for crossings
+constexpr std::size_t most_pairs = std::size_t{1} << 22;  // of faces tested against one another for crossings
 constexpr double contact = 1e-6;                          // of the scene's diagonal: nearer things touch
 
 using Corners = std::array<Vec3d, 3>;

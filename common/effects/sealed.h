@@ -1,4 +1,4 @@
-/// Whether a scene is closed against what lies outside.
+/// The test whether a scene is closed against everything outside.
 #pragma once
 
 #include "common/ray/world.h"

@@ -1,4 +1,4 @@
-/// The Neumann series of light, bounce by bounce: how many there may be, when it may end, and what is said of its end.
+/// The Neumann series of light, bounce by bounce: how many there may be, when it may end, and the message about its end.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// Whether a point lies inside geometry, by rays that meet the black backs of one-sided surfaces.
+/// The test whether a point lies inside geometry, by rays that hit the black backs of one-sided surfaces.
 #pragma once
 
 #include "common/ray/ray_stream.h"

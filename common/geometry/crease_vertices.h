@@ -1,4 +1,4 @@
-/// Which corners of a mesh's faces are one vertex: those that meet without a crease between them.
+/// Vertices of a mesh split at creases: corners of faces that meet without a crease are one vertex.
 #pragma once
 
 #include <array>

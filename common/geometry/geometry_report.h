@@ -1,5 +1,5 @@
-/// What a scene's geometry is like: counts, closedness, convexity, extent. What is odd is no error: every method
-/// lives with it, and here it is told.
+/// Facts about a scene's geometry: counts, closedness, convexity, extent. Defects are not errors: every method
+/// accepts them, and they are reported here.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ struct GeometryReport {
 /// box of six separate quads is closed.
 GeometryReport report_geometry(const Scene& scene);
 
-/// The same for each object by itself.
+/// The same for each object separately.
 std::vector<GeometryReport> report_objects(const Scene& scene);
 
 nlohmann::ordered_json to_json(const GeometryReport& report);

@@ -1,4 +1,4 @@
-/// Whether a scene has any surface at all to put points, vertices or elements on.
+/// The test whether a scene has any surface at all to put points, vertices or elements on.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// How the faces of a mesh hang together, whatever state the mesh is in.
+/// The connections between the faces of a mesh, however defective the mesh is.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 /// Hash grid of cells twice the radius wide: a disc reaches into at most eight of them. Samples lie bucket by
 /// bucket, so that a cell costs one look-up and one run of memory; those kept since the last rebuild wait in
-/// chains. Cells that share a bucket are told apart by the distance test itself.
+/// chains. The distance test itself separates cells that share a bucket.
 struct PoissonDisc::Grid {
   struct Sample {
     Vec3 position, normal;

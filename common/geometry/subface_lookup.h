@@ -1,4 +1,4 @@
-/// Which smaller triangle of a subdivided one holds a point, and where in it.
+/// Lookup of the smaller triangle of a subdivided one that holds a point, and of the place in it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// False colours for error maps, told apart by every kind of colour vision: lightness alone carries the value.
+/// False colours for error maps, readable with every kind of colour vision, because lightness alone carries the value.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// Whether a PNG file is whole, before libpng sees it: that one reads on past a missing end and writes its own words on stderr.
+/// The test whether a PNG file is complete, before libpng reads it: libpng reads on past a missing end and writes to stderr.
 #pragma once
 
 #include <string>

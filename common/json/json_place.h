@@ -1,4 +1,4 @@
-/// Where in a JSON file something stands, as messages name it: "box.scene.json: $.objects[2].faces[4][1]".
+/// A place in a JSON file, as messages name it: "box.scene.json: $.objects[2].faces[4][1]".
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ class JsonPlace {
   /// The top of the file (or of whatever `file` names).
   explicit JsonPlace(std::string_view file) : text_(std::string(file) + ": $") {}
 
-  /// The value of a key; a key that is no plain word is quoted: $.materials["old wood"].
+  /// The value of a key; a key that is not a plain word is quoted: $.materials["old wood"].
   JsonPlace operator[](std::string_view key) const;
   /// An element of a list, counted from 0.
   JsonPlace operator[](std::size_t index) const;

@@ -84,7 +84,7 @@ json parse_json(const std::string& text, const std::string& file) {
     return json::parse(text, callback);
   } catch (const json::parse_error& error) {
     throw InputError(file, without_prefix(error.what()),
-                     "mend the JSON there (it has no comments, trailing commas, NaN or Infinity)");
+                     "correct the JSON there (it has no comments, trailing commas, NaN or Infinity)");
   } catch (const json::out_of_range& error) {
     throw InputError(file, without_prefix(error.what()), "write a number below 1.8e308");
   }

@@ -16,7 +16,7 @@ constexpr int largest_count = 100000;  // of {m,n}
 
 constexpr PathEvents of_kind(PathEvent reflection, PathEvent transmission) { return PathEvents(reflection) | transmission; }
 
-/// The events that a letter stands for by itself; empty: it stands for none.
+/// The events that a single letter stands for; empty: none.
 PathEvents events_of(char letter) {
   switch (letter) {
     case 'C': return PathEvent::camera;

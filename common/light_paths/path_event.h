@@ -1,4 +1,4 @@
-/// What happens along a light path, seen from the camera: where it leaves, how it is scattered, where it ends.
+/// The events along a light path, from the camera: where it leaves, how it is scattered, where it ends.
 #pragma once
 
 #include <array>

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t light_place = 0, light_choice = 1, hemisphere = 2, lobe_choice = 3;  // dimension pairs
 constexpr std::size_t batch = 32;                                                            // rays traced together
 constexpr std::size_t most_visited = 64;         // punctual lights that are each given a ray
-constexpr std::size_t most_looked_through = 64;  // emitting triangles that are each held against a ray
+constexpr std::size_t most_looked_through = 64;  // emitting triangles that are each tested against a ray
 
 /// The surface point that light is gathered at, with the lobe that weighs it.
 struct Gatherer {

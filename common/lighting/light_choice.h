@@ -1,4 +1,4 @@
-/// Which light a sample goes to: a fixed probability for every light.
+/// The choice of the light that a sample goes to: a fixed probability for every light.
 #pragma once
 
 #include <cstdint>

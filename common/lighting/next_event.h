@@ -1,4 +1,4 @@
-/// Next-event estimation: how a sampled light and a light that a ray met by itself are weighed against each other.
+/// Next-event estimation: the weights of a sampled light and of a light that a ray hits by chance.
 #pragma once
 
 #include <cmath>

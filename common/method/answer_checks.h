@@ -1,4 +1,4 @@
-/// What holds of every answer, whichever method gives it: sizes before, every value written after.
+/// Checks of every answer, whichever method gives it: sizes before the work, every value written after it.
 #pragma once
 
 #include "common/method/shading.h"

@@ -1,4 +1,4 @@
-/// What a method's answer lacks and others can give: direct light by the shared evaluator, and what follows from irradiance.
+/// Completion of a method's answers: direct light by the shared evaluator, and quantities that follow from irradiance.
 #pragma once
 
 #include "common/lighting/direct_light.h"
@@ -8,7 +8,7 @@
 
 namespace gibench {
 
-/// Whether a quantity follows from irradiance on surfaces that reflect diffusely.
+/// True for a quantity that follows from irradiance on surfaces that reflect diffusely.
 bool follows_from_irradiance(Quantity quantity);
 
 /// Turns irradiance in `direct` and `indirect` into the quantity asked for, on diffuse surfaces: radiosity B = π Le + ρ E,

@@ -1,4 +1,4 @@
-/// What a method can do, as flags: nobody asks for its name.
+/// The capabilities of a method, as flags: callers never ask for its name.
 #pragma once
 
 #include <set>

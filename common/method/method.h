@@ -1,4 +1,4 @@
-/// The interface of every transport method: what a method writes, and nothing else.
+/// The interface of every transport method: what a method implements, and nothing else.
 #pragma once
 
 #include <cstddef>

@@ -82,7 +82,7 @@ void MethodSession::run_prepare(Task& task, StageReport& report) {
   else method_->prepare(*world_, plan_, task, report);
 }
 
-/// What the scene calls for as it now is, within the limits of the plan it had.
+/// The plan for the scene as it is now, within the limits of the former plan.
 void MethodSession::plan_again(const Lighting& lighting) {
   const std::string light_paths = plan_.light_paths;
   plan_ = plan_effects(analyse_effects(*world_, lighting, *plan_.limits), effects_of(capabilities()));

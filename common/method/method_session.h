@@ -1,4 +1,4 @@
-/// The one way to use a method: drives it through its stages, and does what is the same for all of them.
+/// The one way to use a method: drives it through its stages and does the work that all methods share.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ namespace gibench {
 ///
 /// What a plan makes needless is not asked of the method: without lights, and without indirect light for a method that
 /// computes no other, its stages are not called and the answer is zero. Lights that the plan rules out are not passed on.
-/// Where other lights or an edit call for more than the plan, it is made anew within the same limits.
+/// If other lights or an edit call for more than the plan, the plan is made anew within the same limits.
 class MethodSession {
  public:
   explicit MethodSession(std::unique_ptr<TransportMethod> method);
@@ -50,7 +50,7 @@ class MethodSession {
   StageReport shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const;
 
  private:
-  /// How far a method has come: each stage builds on the one before.
+  /// The stage that a method has reached: each stage builds on the one before.
   enum class State { made, prepared, lit };
 
   bool is_asked_for_nothing(const EffectPlan& plan) const;

@@ -1,4 +1,4 @@
-/// What a method can be asked for at a surface sample.
+/// The quantities that a method can be asked for at a surface sample.
 #pragma once
 
 #include "common/effects/component.h"

@@ -1,4 +1,4 @@
-/// How a stage of a method ended: asked for, used, why it ended.
+/// The report of a stage of a method: how it ended and why, what it took.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// What a method works with: seed, threads, cancellation, progress, and the run's counters.
+/// The task that a method works on: seed, threads, cancellation, progress, and the run's counters.
 #pragma once
 
 #include <atomic>
@@ -42,7 +42,7 @@ class Task {
   /// Chunked loop of `common/core/parallel.h` that skips the chunks left once the run is cancelled.
   void parallel_chunks(std::size_t count, std::size_t chunk_size, const std::function<void(const ChunkRange&)>& body);
 
-  /// Tells how far the stage is; also kept in the stage's history. Not from inside parallel loops.
+  /// Reports how far the stage is; also kept in the stage's history. Not from inside parallel loops.
   void progress(std::string_view step, double done, double residual = -1.0);
 
   const std::vector<ProgressPoint>& history() const { return history_; }

@@ -49,7 +49,7 @@ Plane filtered(const Plane& plane, std::span<const float> along_rows, std::span<
   return filter_columns(filter_rows(plane, along_rows), along_columns);
 }
 
-/// The one loop over pixels that costs: its pointers tell the compiler that it may work on many pixels at once.
+/// The one expensive loop over pixels: with these pointers the compiler may work on many pixels at once.
 void perceived_colours(const float* __restrict luminance, const float* __restrict red_green, const float* __restrict narrow,
                        const float* __restrict wide, float* __restrict lightness, float* __restrict a, float* __restrict b,
                        int count) {

@@ -29,7 +29,7 @@ std::vector<float> flip_differences(const FlipFeatures& reference, const FlipFea
 std::vector<float> flip_map(int width, int height, std::span<const Rgb> reference, std::span<const Rgb> test,
                             float pixels_per_degree = default_pixels_per_degree);
 
-/// What is told of an error map. The quantiles are weighted by the errors themselves, as the authors propose: half of
+/// Statistics of an error map. The quantiles are weighted by the errors themselves, as the authors propose: half of
 /// the whole error is in pixels with an error over the weighted median.
 struct FlipStatistics {
   double mean = 0.0, weighted_median = 0.0, quartile_1 = 0.0, quartile_3 = 0.0, min = 0.0, max = 0.0;

@@ -12,8 +12,8 @@
 
 namespace gibench {
 
-/// A picture and what it is held against: the mean of the reference, and the means without each group of replicates, from
-/// which the interval comes. `noisy` is held against the mean for the noise floor.
+/// A picture and what it is compared with: the mean of the reference, and the means without each group of replicates, from
+/// which the interval comes. `noisy` is compared with the mean for the noise floor.
 struct Pictures {
   std::vector<Rgb> test, mean, noisy;
   std::vector<std::vector<Rgb>> without;

@@ -12,7 +12,7 @@
 
 namespace gibench {
 
-/// The mean of the reference and its halves; all three the same where a reference has no noise to be told.
+/// The mean of the reference and its halves; all three the same for a reference without noise.
 struct ReferenceMeans {
   std::span<const Rgb> mean, half_a, half_b;
   static ReferenceMeans exact(std::span<const Rgb> values) { return {values, values, values}; }

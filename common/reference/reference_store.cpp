@@ -55,7 +55,7 @@ ordered_json question_json(const ReferenceQuestion& question) {
 
 std::string hex_of(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
-/// Names may hold bytes that are no UTF-8.
+/// Names may hold bytes that are not UTF-8.
 std::string text_of(const ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }

@@ -1,4 +1,4 @@
-/// What a surface does to light: the lobes of one material, evaluated and sampled together. Directions are unit,
+/// The reflection of light by a surface: the lobes of one material, evaluated and sampled together. Directions are unit,
 /// leave the surface, and are given in the frame whose z axis is the normal of the lit side.
 #pragma once
 

@@ -39,7 +39,7 @@ void SceneBuilder::add_object(Object object, ObjectGeometry geometry, const std:
       if (new_index[old] == unused) {
         if (!is_finite(geometry.vertices[old]))
           throw InputError(place, "vertex " + std::to_string(old) + " of object " + in_quotes(object.name) + " is not finite",
-                           "mend its coordinates");
+                           "correct its coordinates");
         new_index[old] = static_cast<std::uint32_t>(vertices_.size());
         vertices_.push_back(geometry.vertices[old]);
       }

@@ -1,4 +1,4 @@
-/// What the geometry alone decides: mesh, elements, hierarchy, links, and the sums that form factors are held to.
+/// Everything that the geometry alone decides: mesh, elements, hierarchy, links, and the sums that form factors are held to.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// What nodes exchange, closer looked at than the oracle does: links keep the factors that are made here.
+/// The exchange between nodes, more accurate than in the oracle: links keep the factors that are made here.
 #pragma once
 
 #include "common/method/task.h"

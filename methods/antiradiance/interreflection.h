@@ -19,7 +19,7 @@ namespace gibench::antiradiance {
 struct Surfaces {
   std::vector<Rgb> albedo;                   ///< diffuse reflectance of the fronts
   std::vector<float> closure;                ///< of closure_factors()
-  const GlossyReflection* glossy = nullptr;  ///< lobes besides, only with bins
+  const GlossyReflection* glossy = nullptr;  ///< further lobes, only with bins
   std::optional<int> max_bounces;
 };
 

@@ -1,4 +1,4 @@
-/// What the modes of linked elements have in common: links, sums, a solution on the elements, and its interpolation.
+/// The common part of the modes with linked elements: links, sums, a solution on the elements, and its interpolation.
 #pragma once
 
 #include <memory>
@@ -29,7 +29,7 @@ class LinkedStrategy : public Strategy {
   /// The elements' indirect light; `materials` of the leaves.
   virtual Interreflection solve(const World& world, const EffectPlan& plan, std::span<const std::uint32_t> materials,
                                 Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
-  /// What an element's surface sends towards the viewer besides diffuse light, W/(m² sr).
+  /// Light other than diffuse that an element's surface sends towards the viewer, W/(m² sr).
   virtual Rgb lobe_radiance(const World&, std::uint32_t /*element*/, const SurfaceSample&, const Vec3& /*toward_viewer*/) const {
     return {};
   }

@@ -4,7 +4,7 @@ namespace gibench::antiradiance {
 
 namespace {
 
-/// Rays tell link by link how much of its light arrives.
+/// Rays measure, link by link, how much of its light arrives.
 class RadiosityStrategy : public LinkedStrategy {
  public:
   using LinkedStrategy::LinkedStrategy;

@@ -8,7 +8,7 @@ namespace gibench::antiradiance {
 namespace {
 
 constexpr float beside = 0.1F;         // of the cell's extent: a mean further than that from the vertex is not the vertex's
-constexpr float fewest_of_own = 0.5F;  // of a mean's weights, below which the vertex cannot be told from it
+constexpr float fewest_of_own = 0.5F;  // of a mean's weights, below which the vertex cannot be derived from it
 constexpr int sweeps = 4;
 
 /// Barycentrics of the second and third corner of a point in the plane of a scene triangle.

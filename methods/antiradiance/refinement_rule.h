@@ -17,7 +17,7 @@ struct RefinementRule {
   Facing facing = Facing::fronts;
   /// The oracle accepts a pair when neither disc fills more than this share of the other's hemisphere (weighted by the cosines).
   float tolerance = 0.01F;
-  /// Radiosity of every node, W/m²; then what is held against the tolerance is form factor · radiosity · area over the mean of
+  /// Radiosity of every node, W/m²; then what is compared with the tolerance is form factor · radiosity · area over the mean of
   /// radiosity and the mean area of the elements. Empty: the geometry alone.
   std::span<const float> radiosity = {};
   float mean_radiosity = 0.0F;

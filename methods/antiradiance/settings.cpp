@@ -31,7 +31,7 @@ const ParameterTable<Settings>& table() {
                 "largest form factor (times relative radiosity and area) of an accepted link"),
       parameter("visibility_rays", &Settings::visibility_rays, 1, 4096, "rays a link, in radiosity mode"),
       parameter("closure_rays", &Settings::closure_rays, 0, 65536,
-                "rays an element that tell what its form factors must sum to; 0: they are only kept to one at most"),
+                "rays of an element that measure what its form factors must sum to; 0: they are only kept to one at most"),
       parameter("bins", &Settings::bins, 4, 128, "directional bins along a side of the map of the sphere: n means n² bins; even"),
       parameter("bin_winner", &Settings::bin_winner, {{"middle", BinWinner::middle}, {"links", BinWinner::links}},
                 "implicit: of a bin's senders the nearest across its middle stays, or (as in the text) of all whose links point "

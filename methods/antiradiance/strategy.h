@@ -1,4 +1,4 @@
-/// What one mode of the method makes of a scene, of its lights, and of the points asked about.
+/// One mode of the method: its treatment of a scene, of the lights, and of the points asked about.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// What rays say about the elements: how much of each link is free, and how much of a hemisphere is closed.
+/// Visibility of elements by rays: how much of each link is free, and how much of a hemisphere is closed.
 #pragma once
 
 #include <vector>

@@ -76,7 +76,7 @@ std::size_t count_of(const std::vector<std::vector<DiscPoint>>& level) {
   return count;
 }
 
-/// The initial radius: as told, or such that about the wanted number of coarsest samples comes out.
+/// The initial radius: as set, or such that about the wanted number of coarsest samples results.
 double initial_radius(const World& world, const std::vector<std::vector<SurfaceSide>>& sides, const Settings& settings,
                       Task& task) {
   if (settings.initial_radius > 0.0) return settings.initial_radius * static_cast<double>(world.diagonal());

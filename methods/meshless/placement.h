@@ -1,4 +1,4 @@
-/// Where the basis points lie: a hierarchical Poisson-disc distribution of every group, and the backface test
+/// The placement of basis points: a hierarchical Poisson-disc distribution of every group, and the backface test
 /// (Lehtinen et al. 2007, section 6.1).
 #pragma once
 

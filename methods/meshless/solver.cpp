@@ -110,7 +110,7 @@ class Solver {
   DirectSender direct_sender() const { return DirectSender(light_, hit_samples_); }
 
  private:
-  /// Estimates at the coarsest samples tell how noisy one light sample is, and so how many are needed, and where.
+  /// Estimates at the coarsest samples show how noisy one light sample is, and so how many are needed, and where.
   void look_at_direct_light() {
     std::vector<std::uint32_t> points(transport_.hierarchy.level_size(0));
     std::iota(points.begin(), points.end(), 0U);

@@ -1,4 +1,4 @@
-/// Which light paths count, and where walks may stop.
+/// The rules which light paths count, and where walks may stop.
 #pragma once
 
 #include <cstdint>

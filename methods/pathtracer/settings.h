@@ -1,4 +1,4 @@
-/// What the path tracer can be told.
+/// The settings of the path tracer.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// How much the transfer matrix may leave out: chosen from what that does to light that is tried out.
+/// The threshold below which the transfer matrix is truncated, chosen by the effect on trial lights.
 #pragma once
 
 #include <span>

@@ -22,7 +22,7 @@ SymmetricLaplacian symmetric_laplacian(const SurfaceGraph& graph, std::span<cons
       diagonal[i] += weight;
       valence += 1.0;
     }
-    // A vertex by itself has the constant function alone, with any weight above zero.
+    // A single vertex has the constant function only, with any weight above zero.
     if (kind == Laplacian::cotan) laplacian.weight[i] = graph.area[vertex] / mean_area;
     else if (valence > 0.0) laplacian.weight[i] = valence;
   }

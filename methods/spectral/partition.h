@@ -8,7 +8,7 @@
 
 namespace gibench::spectral {
 
-/// Every part hangs together: the connected pieces of the mesh are cut each by itself into parts of about the wanted
+/// Every part is connected: the connected pieces of the mesh are cut each by itself into parts of about the wanted
 /// size, and what METIS leaves in two pieces becomes two parts. A vertex without neighbours is a part.
 struct Partition {
   std::vector<std::uint32_t> order;       ///< vertices, part by part, ascending in each as partition_mesh() leaves them

@@ -9,7 +9,7 @@
 
 namespace gibench::spectral {
 
-/// Symmetric compressed rows. Edges that another surface cuts are no edges, so that no basis function reaches through
+/// Symmetric compressed rows. Edges that another surface cuts are left out, so that no basis function reaches through
 /// a wall that stands on a floor.
 struct SurfaceGraph {
   std::vector<std::uint32_t> begin;      ///< into the arrays below; one more than vertices

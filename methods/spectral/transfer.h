@@ -1,4 +1,4 @@
-/// What the geometry decides once: mesh, basis and transfer matrices.
+/// Mesh, basis and transfer matrices, which depend on the geometry only.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Transfer {
   Interpolation interpolation;
   std::vector<std::uint32_t> vertex_of_slot, slot_of_vertex;
   SpectralBasis basis;
-  TransferMatrix one_bounce;                    ///< T^s, a row a slot
+  TransferMatrix one_bounce;                    ///< T^s, one row for each slot
   std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one a channel
   std::vector<std::uint32_t> glossy_slots;      ///< the slots that have harmonic slices
   std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row

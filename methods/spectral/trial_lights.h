@@ -12,7 +12,7 @@ namespace gibench::spectral {
 /// Irradiance fields projected onto the basis, three to one vector, in its channels, each with an area mean of 1 (0 for a light
 /// that nothing sees).
 struct TrialLights {
-  std::vector<std::vector<Rgb4>> usual;   ///< tell how much light a function usually carries: 48 point lights and three skies
+  std::vector<std::vector<Rgb4>> usual;   ///< measure how much light a function usually carries: 48 point lights and three skies
   std::vector<std::vector<Rgb4>> judges;  ///< judge what is left out: 24 other point lights, and the skies
 };
 

@@ -155,10 +155,10 @@ Study collect_study(const fs::path& folder) {
   const fs::path file = folder / "manifest.json";
   const std::string mend = "give the folder that `gibench study STUDY.json --out DIR` wrote";
   if (!fs::is_directory(folder)) throw InputError(folder.string(), "is not a folder", mend);
-  if (!fs::exists(file)) throw InputError(folder.string(), "holds no manifest.json, so it is no study", mend);
+  if (!fs::exists(file)) throw InputError(folder.string(), "holds no manifest.json, so it is not a study", mend);
   const Json manifest = read_json_file(file);
   if (!manifest.is_object() || count_at(manifest, "gibench_study") != std::uint64_t{1})
-    throw InputError(file.string(), "is no study manifest of version 1 (\"gibench_study\": 1)", mend);
+    throw InputError(file.string(), "is not a study manifest of version 1 (\"gibench_study\": 1)", mend);
 
   Study study;
   study.folder = folder;

@@ -68,7 +68,7 @@ struct StudyRun {
   std::vector<std::string> warnings;
   std::string termination;
   std::string light_paths;  ///< what it simulated; empty where its record does not say
-  /// All light paths of the scene: no model error, and all error is of the discretisation. Empty where not told.
+  /// All light paths of the scene: no model error, and all error is discretisation error. Empty where the record does not say.
   std::optional<bool> complete;
   std::map<ErrorKey, MeasuredError> errors;
   std::map<ErrorKey, MeasuredError> model_errors, discretisation_errors;  ///< empty where they were not measured
@@ -85,8 +85,8 @@ struct StudyRun {
   const MeasuredError* model_error(const ErrorKey& key) const;
   /// The error itself for a run that has all light paths.
   const MeasuredError* discretisation_error(const ErrorKey& key) const;
-  /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not told
-  /// apart). Reading the scene is the same for every method and left out.
+  /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not recorded
+  /// separately). Reading the scene is the same for every method and left out.
   std::optional<double> transport_seconds(Domain domain) const;
 };
 

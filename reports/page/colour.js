@@ -16,7 +16,7 @@
     for (let c = 0; c < 3; c += 1) magma[3 * i + c] = Math.round(anchors[low][c] + (place - low) * (anchors[low + 1][c] - anchors[low][c]));
   }
 
-  // Pixels that are no number are shown in a green that no map here has.
+  // Pixels that are not a number are shown in a green that no map here has.
   const broken = [0, 255, 64];
 
   function drawPicture(canvas, width, height, values, stops) {

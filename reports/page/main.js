@@ -60,7 +60,7 @@
   }
 
   function contents() {
-    const links = [["across", "Across scenes"], ["split", "Error split"], ...(study.relights.table.rows.length ? [["relighting", "Relighting"]] : []), ...study.scenes.map((scene) => [scene.slug, scene.name]), ["effects", "Effects"], ["failures", "Without an answer"], ["definitions", "Definitions"], ["manifest", "Manifest"]];
+    const links = [["across", "Across scenes"], ["split", "Error split"], ...(study.relights.table.rows.length ? [["relighting", "Relighting"]] : []), ...study.scenes.map((scene) => [scene.slug, scene.name]), ["effects", "Effects"], ["failures", "Runs without a result"], ["definitions", "Definitions"], ["manifest", "Manifest"]];
     document.getElementById("contents").append(...links.map(([id, text]) => element("li", {}, element("a", { href: `#${id}` }, text))));
   }
 

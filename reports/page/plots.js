@@ -136,7 +136,7 @@
     });
   }
 
-  // What tells the series of a sweep apart: the study's label of its runs, which ends in the swept value; else the method.
+  // The names of the series of a sweep: the study's label of its runs, which ends in the swept value; else the method.
   function seriesLabels(sweep) {
     const labels = new Map();
     for (const point of sweep.points) {

@@ -34,12 +34,12 @@
     const ranking = study.rankings[key], entry = study.keys[key];
     const isDefault = key === 0;
     section.replaceChildren(title,
-      element("p", { class: "lead" }, "How many times faster than the path tracer does each configuration reach its error? The path tracer's time for that error is read off its own curve on the same scene, ",
-        "a straight line in log-log between its runs. Beyond them it is continued with the slope of Monte Carlo (marked *). An error below the noise floor counts as the floor, which makes the factor a lower bound (≥). ",
-        "Configurations that answer more scenes come first, then the geometric mean decides."),
+      element("p", { class: "lead" }, "How many times faster than the path tracer does each configuration reach its error? The path tracer's time for that error is taken from its own curve on the same scene, ",
+        "a straight line in log-log between its runs. Beyond them it is extended with the slope of Monte Carlo (marked *). An error below the noise floor counts as the floor, which makes the factor a lower bound (≥). ",
+        "Configurations with results on more scenes come first; among equals the geometric mean decides."),
       ranking.points.length
-        ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: a small mark a scene (hollow: * or ≥), a bar for the geometric mean.`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])
-        : element("p", { class: "note" }, "The path tracer has no curve for this error, so there is no speed-up to show."),
+        ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: one small mark for each scene (hollow: * or ≥), a bar for the geometric mean.`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])
+        : element("p", { class: "note" }, "There is no speed-up to show, because the path tracer has no curve for this error."),
       table(ranking.table, { files: isDefault ? "ranking" : null, methodColumn: 1 }));
   }
 
@@ -106,8 +106,8 @@
   }
 
   function fixedSections() {
-    document.getElementById("failures").append(element("h2", { id: "failures-title" }, "Without an answer"),
-      study.failures.rows.length ? table(study.failures) : element("p", {}, "Every run of the study came to its end."));
+    document.getElementById("failures").append(element("h2", { id: "failures-title" }, "Runs without a result"),
+      study.failures.rows.length ? table(study.failures) : element("p", {}, "Every run of the study has a result."));
     document.getElementById("definitions").append(element("h2", { id: "definitions-title" }, "Definitions"),
       element("p", { class: "lead" }, "x is the method's value, r the reference's; all on linear values, channels averaged. The squared error is estimated as the mean of (x − A)(x − B) over the two halves of the reference, so that its noise does not count against a method; ",
         "the noise floor is ¼ of the mean (A − B)². Intervals are 95% over the replicates of the reference. Time is prepare + light + shade; reading the scene is the same for all and left out. ",

@@ -1,4 +1,4 @@
-// What scenes call for, what methods make of it, and what that costs in error.
+// The effects that scenes call for, those that methods simulate, and the error that the missing ones cause.
 "use strict";
 (function () {
   const { element, table, plotting, sections, study } = gibench;
@@ -7,17 +7,17 @@
     const section = document.getElementById("split");
     const title = element("h2", { id: "split-title" }, "Where the error comes from");
     if (key === null || study.splits[key].table.rows.length === 0) {
-      section.replaceChildren(title, element("p", {}, "No run tells its error's parts."));
+      section.replaceChildren(title, element("p", {}, "No run has its error split into model error and discretisation error."));
       return;
     }
     const { points, bounces, table: parts } = study.splits[key], entry = study.keys[key];
     const isDefault = key === 0;
     section.replaceChildren(...[title,
-      element("p", { class: "lead" }, "A method that cannot simulate a kind of light path is wrong by that light however fine it is made: its model error (◆), the reference of the paths that it simulates against that of all. ",
-        "The rest is its discretisation error (●), the method against the reference of its own paths. A method that simulates every path of a scene has no model error there. Hollow marks are below the noise floor."),
+      element("p", { class: "lead" }, "A method that cannot simulate a kind of light path has an error that no refinement removes: its model error (◆), the difference between the reference of its own paths and that of all paths. ",
+        "The rest is its discretisation error (●), the difference between the method and the reference of its own paths. On a scene of which it simulates every path, a method has no model error. Hollow marks are below the noise floor."),
       points.length ? sections.plot((width) => plotting.splitPlot(study, gibench.plots, key, width), `Model and discretisation part of the ${study.metrics[entry.metric].title} of ${entry.of}. Bars are 95% intervals.`, isDefault ? ["error-split.svg", "error-split.pdf"] : []) : null,
       table(parts, { files: isDefault ? "error-split" : null, methodColumn: 2 }),
-      ...(bounces.rows.length ? [element("h3", {}, "Bounce by bounce"), table(bounces, { files: isDefault ? "error-per-bounce" : null })] : [])].filter((part) => part !== null));
+      ...(bounces.rows.length ? [element("h3", {}, "Each bounce order separately"), table(bounces, { files: isDefault ? "error-per-bounce" : null })] : [])].filter((part) => part !== null));
   }
 
   function effects() {

@@ -1,4 +1,4 @@
-/// Colour, shape and dash of each method, the same in every plot: told apart without colour too.
+/// Colour, shape and dash of each method, the same in every plot: distinguishable without colour too.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// How each metric is plotted and compared, and which errors a study has.
+/// The way each metric is plotted and compared, and the errors that a study has.
 #pragma once
 
 #include <string>

@@ -58,13 +58,13 @@ Table effect_table(const Study& study) {
   std::vector<EffectRow> rows;
   for (const StudyRun& run : study.runs)
     if (run.effects) add_effects(run, known, rows);
-  return columns.table(
-      "effects", "What each scene calls for and what each method made of it; what was not called for was not computed.", rows);
+  return columns.table("effects", "Effects that scenes call for and methods simulated; what was not called for was not computed.",
+                       rows);
 }
 
 namespace {
 
-/// Outcomes by effect, in the order in which the record tells them.
+/// Outcomes by effect, in the order of the record.
 std::map<std::string, std::string> outcomes_of(const Effects& effects) {
   std::map<std::string, std::string> outcomes;
   for (const std::string& effect : effects.simulated) outcomes[effect] = "simulated";
@@ -94,7 +94,7 @@ std::vector<PlannedRuns> planned_runs(const Study& study) {
   return plans;
 }
 
-/// What scenes call for first, in the order in which the records tell it, then the other effects by name.
+/// First the effects that scenes call for, in the order of the records, then the others by name.
 std::vector<std::string> effects_in_order(const Study& study, const std::vector<PlannedRuns>& plans) {
   std::vector<std::string> order;
   const auto add = [&order](const std::string& name) {
@@ -174,8 +174,7 @@ Table failure_table(const Study& study) {
       .whole("Exit status", "exit_status", std::mem_fn(&Failure::exit_code))
       .seconds("After", "seconds", std::mem_fn(&Failure::seconds))
       .text("Why", "why", std::mem_fn(&Failure::why));
-  return columns.table("failures",
-                       "Scenes that were left out, and runs that were refused, timed out, crashed or failed: results too.",
+  return columns.table("failures", "Scenes that were left out, and runs that were refused, timed out, crashed or failed.",
                        failures_of(study));
 }
 

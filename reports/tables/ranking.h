@@ -1,4 +1,4 @@
-/// What accuracy costs, as one number: how much faster than the path tracer a run reached its error, and how the
+/// The cost of accuracy as one number: how much faster than the path tracer a run reached its error, and how the
 /// configurations of a study compare across its scenes.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace gibench::report {
 
-/// The method that the others' times are held against.
+/// The method with whose times the others' are compared.
 inline constexpr const char* baseline_method = "pathtracer";
 
 /// The path tracer's error against time on one scene: the runs that no cheaper run beats, joined by straight lines

@@ -56,7 +56,7 @@ Table relight_table(const Study& study) {
   return columns.table(
       "relighting",
       "Relighting: a frame's seconds (median) beside path tracing to the same error of the indirect light at the "
-      "same surface samples, with 95% intervals, and the frames after which preparing has paid for itself.",
+      "same surface samples, with 95% intervals, and the frames after which preparation has paid for itself.",
       study.relights);
 }
 
@@ -81,11 +81,10 @@ Table relit_frame_table(const Study& study) {
   std::vector<FrameRow> rows;
   for (const StudyRelight& relight : study.relights)
     for (const StudyRelight::Frame& frame : relight.all_frames) rows.push_back({relight, frame});
-  return columns.table(
-      "relit-frames",
-      "Every relit frame: its time on the light path, materials that switched, seconds, and relative RMSE at the "
-      "surface samples.",
-      rows);
+  return columns.table("relit-frames",
+                       "Every relit frame: its time from 0 to 1, materials that switched, seconds, and relative RMSE at the "
+                       "surface samples.",
+                       rows);
 }
 
 std::string relight_sentence(const StudyRelight& relight) {
@@ -94,17 +93,17 @@ std::string relight_sentence(const StudyRelight& relight) {
   const std::string head = fmt::format("{} on {}: a frame takes {} after {} of preparing", relight.label, relight.scene,
                                        duration(*relight.frame_seconds()), duration(*relight.prepare_seconds));
   if (cheaper.high && *cheaper.high <= 1.0)
-    return head + "; path tracing to the same error is no slower, so preparing never pays.";
-  std::string worth = "; the reference's noise does not tell what path tracing to the same error takes";
+    return head + "; path tracing to the same error is as fast or faster, so preparation never pays.";
+  std::string worth = "; the reference is too noisy to say how long path tracing to the same error takes";
   if (cheaper.value)
     worth = fmt::format("; path tracing to the same error takes {} times that", bounded_text(cheaper, significant_of));
   else if (cheaper.low)
     worth = fmt::format("; path tracing to the same error takes at least {} times that", significant_of(*cheaper.low));
   if (pays.value)
-    return head + worth + fmt::format(". Preparing has paid for itself after {} frames.", bounded_text(pays, whole_text));
+    return head + worth + fmt::format(". Preparation has paid for itself after {} frames.", bounded_text(pays, whole_text));
   if (pays.high)
-    return head + worth + fmt::format(". Preparing has paid for itself after {} frames at most.", whole_text(*pays.high));
-  return head + worth + ". When preparing has paid for itself is not known.";
+    return head + worth + fmt::format(". Preparation has paid for itself after {} frames at most.", whole_text(*pays.high));
+  return head + worth + ". It is not known when preparation has paid for itself.";
 }
 
 }  // namespace gibench::report

@@ -78,7 +78,7 @@ Table call_table(const Study& study) {
     }
   }
   columns.text("Bounces", "bounces", std::mem_fn(&StudyScene::bounces));
-  return columns.table("scene-effects", "What each scene calls for, and how many reflections its light needs.", rows);
+  return columns.table("scene-effects", "The effects that each scene calls for, and how many reflections its light needs.", rows);
 }
 
 Table evidence_table(const Study& study) {
@@ -113,7 +113,7 @@ Table split_table(const Study& study, const ErrorKey& key) {
   return columns.table("error-split",
                        metric.title + " of " + describe(key) +
                            " in two parts. Model error: the reference of the light paths that the method simulates against that "
-                           "of all. Discretisation error: the method against the former. In brackets the 95% interval.",
+                           "of all. Discretisation error: the method against its own paths' reference. Brackets: 95% interval.",
                        rows);
 }
 
@@ -129,8 +129,7 @@ Table bounce_table(const Study& study, const ErrorKey& key) {
     for (const StudyRun::Bounce& bounce : run.bounces)
       if (const MeasuredError* own = at_key(bounce.discretisation_errors, key))
         rows.push_back({run, bounce, at_key(bounce.model_errors, key), own});
-  return columns.table("error-per-bounce",
-                       metric.title + " of the light of each number of reflections by itself, " + describe(key) + ".", rows);
+  return columns.table("error-per-bounce", metric.title + " of each bounce order separately, " + describe(key) + ".", rows);
 }
 
 }  // namespace gibench::report

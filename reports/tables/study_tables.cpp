@@ -106,7 +106,7 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
                    row.mean_error_rank, [](double mean) { return fmt::format("{:.1f}", mean); }, exact);
              })
       .whole("On the front" + of, "scenes_on_front", [](const RankingRow& row) { return row.on_front; })
-      .whole("Without answer" + of, "scenes_without_answer", [](const RankingRow& row) { return row.not_done; });
+      .whole("Without result" + of, "scenes_without_answer", [](const RankingRow& row) { return row.not_done; });
   for (std::size_t s = 0; s < study.scenes.size(); ++s)
     if (const StudyScene& scene = study.scenes[s]; !scene.skipped)
       columns.cells({scene.name, scene.name}, [&study, s](const RankingRow& row) { return ranked_cell(study, row.scenes[s]); });

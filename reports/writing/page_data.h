@@ -9,7 +9,7 @@
 
 namespace gibench::report {
 
-/// JavaScript that hands the study to the page: `gibench.study = {…};`. `pictures` has an entry a scene.
+/// JavaScript that hands the study to the page: `gibench.study = {…};`. `pictures` has one entry for each scene.
 /// `warnings` are what could not be read, a line each.
 std::string page_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
                       const std::vector<std::string>& warnings);

@@ -1,4 +1,4 @@
-/// The pictures of a study for the page: linear values as half floats, one file a layer, read when they are shown.
+/// The pictures of a study for the page: linear values as half floats, one file for each layer, read when they are shown.
 #pragma once
 
 #include <filesystem>

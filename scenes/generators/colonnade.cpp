@@ -112,7 +112,7 @@ Json materials() {
 }  // namespace
 
 std::size_t write_colonnade(const std::filesystem::path& folder) {
-  std::error_code ignored;  // the writing below tells
+  std::error_code ignored;  // the writing below reports it
   std::filesystem::create_directories(folder, ignored);
   Writer writer(folder);
   build_hall(writer, ColumnShape{});

@@ -1,4 +1,4 @@
-/// What every transport method promises, as checks over the way a method is made: nothing here knows which method
+/// The promises of every transport method, as checks over the way a method is made: nothing here knows which method
 /// it looks at; capabilities are asked for, names never.
 #pragma once
 
@@ -55,7 +55,7 @@ void verify_light_paths_are_told(const MethodEntry& entry);
 // The run: run_checks.cpp.
 void verify_same_seed_same_bits(const MethodEntry& entry);
 void verify_cancelling_stops_soon(const MethodEntry& entry);
-// What the program asks besides: program_checks.cpp.
+// Further checks, of what the program asks: program_checks.cpp.
 void verify_every_question_is_answered(const MethodEntry& entry);
 void verify_parts_are_those_of_the_whole(const MethodEntry& entry);
 void verify_editing_equals_a_fresh_run(const MethodEntry& entry);

@@ -49,7 +49,7 @@ void verify_range(const MethodEntry& entry, const ParameterSpec& spec, double va
 }
 
 void verify_parameter(const MethodEntry& entry, const ParameterSpec& spec) {
-  if (!is_plain_name(spec.name, letters)) throw Violation(fmt::format("'{}' is no plain name of a parameter", spec.name));
+  if (!is_plain_name(spec.name, letters)) throw Violation(fmt::format("'{}' is not a plain name of a parameter", spec.name));
   if (!is_one_line(spec.meaning)) throw Violation(spec.name + " does not say in one line what it means");
   if (!is_one_line(describe_type(spec))) throw Violation(spec.name + " does not describe its type");
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ void verify_parameter(const MethodEntry& entry, const ParameterSpec& spec) {
 }  // namespace
 
 void verify_the_entry_describes_itself(const MethodEntry& entry) {
-  if (!is_plain_name(entry.name, lower_case)) throw Violation(fmt::format("'{}' is no plain name of a method", entry.name));
+  if (!is_plain_name(entry.name, lower_case)) throw Violation(fmt::format("'{}' is not a plain name of a method", entry.name));
   for (const auto& [what, text] :
        {std::pair{"summary", &entry.summary}, {"source", &entry.source}, {"light_paths", &entry.light_paths}})
     if (!is_one_line(*text)) throw Violation(fmt::format("its {} is not one line of text", what));

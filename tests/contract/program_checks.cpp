@@ -1,4 +1,4 @@
-/// What the program asks of every method, in the way in which it asks.
+/// Checks that every method answers what the program asks, asked as the program does.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// How a run goes: the same bits from the same seed, and an end when it is told to end.
+/// Checks of a run: the same bits from the same seed, and an end when it is cancelled.
 #include <fmt/format.h>
 
 #include <atomic>

@@ -1,4 +1,4 @@
-/// What every method is held to in the truth suite, in one place.
+/// The accuracy that the truth suite requires of every method, in one place.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct MethodRule {
   /// Share of the true value (or of a tenth of the case's largest one, where that is more). 0: the method knows its own
   /// standard errors, and is held to four of them.
   double tolerance = 0.0;
-  std::vector<std::string> short_of;  ///< cases that the method is known not to meet; told, and skipped
+  std::vector<std::string> short_of;  ///< cases that the method is known not to meet; reported and skipped
   std::vector<std::pair<std::string, std::string>> settings;
   bool asks_sensors = false;  ///< can be asked in empty space
   /// Questions nearer to another surface or to an open edge than this share of the scene's diagonal are left out:

@@ -79,7 +79,7 @@ void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, 
   });
 }
 
-/// Assimp keeps single precision: tells where a model lies so far out that its shape suffers.
+/// Assimp keeps single precision: warns about a model so far from the origin that its shape suffers.
 void warn_of_lost_precision(const std::filesystem::path& file, Model& model) {
   Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
   for (const ModelPart& part : model.parts)
@@ -97,7 +97,7 @@ void warn_of_lost_precision(const std::filesystem::path& file, Model& model) {
 Model read_model(const std::filesystem::path& file, const std::string& place, bool with_materials) {
   const std::string shown = in_quotes(file.string());
   if (!is_model_name(file))
-    throw InputError(place, shown + " is no model file that Assimp reads", "use OBJ, PLY, glTF, STL or another model format");
+    throw InputError(place, shown + " is not a model file that Assimp reads", "use OBJ, PLY, glTF, STL or another model format");
   const AssimpLog log;
   Assimp::Importer importer;
   auto* const files = new ModelFiles(file, place);

@@ -19,7 +19,7 @@ constexpr const char* obj_illumination_key = "$mat.illum";
 
 // A model without materials: a light grey.
 constexpr float default_albedo = 0.6F;
-// Reflectance at normal incidence of a glTF material that is no metal (glTF 2.0, Appendix B.2).
+// Reflectance at normal incidence of a glTF material that is not a metal (glTF 2.0, Appendix B.2).
 constexpr float dielectric_f0 = 0.04F;
 
 /// Reads one material; what is not simulated or had to be changed is collected as remarks.

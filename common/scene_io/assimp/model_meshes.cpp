@@ -59,7 +59,7 @@ void check_face(const aiMesh& mesh, unsigned f, const std::string& place) {
       throw InputError(place,
                        name() + " has vertex index " + std::to_string(face.mIndices[i]) + ", and there are " +
                            std::to_string(mesh.mNumVertices) + " vertices",
-                       "mend the index or export the file again");
+                       "correct the index or export the file again");
 }
 
 void add_polygon(const aiMesh& mesh, const aiFace& face, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry) {

@@ -11,7 +11,7 @@
 namespace gibench {
 
 /// Vertices and faces of every mesh, without node transforms: triangles and quads as they are, larger polygons as
-/// triangles. Warnings tell what was left out. Throws InputError at `place` for a face without corners or with an index
+/// triangles. Warnings say what was left out. Throws InputError at `place` for a face without corners or with an index
 /// out of range.
 std::vector<ObjectGeometry> read_meshes(const aiScene& scene, const std::string& place, std::vector<std::string>& warnings);
 

@@ -1,4 +1,4 @@
-/// What Assimp does not do with text models: keep double precision, and notice that a file is cut short.
+/// Text models read with double precision and a test for truncated files, both of which Assimp lacks.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>

@@ -65,7 +65,7 @@ Rgb PictureMeans::read(const std::string& name) const {
   std::string relative = name;
   std::replace(relative.begin(), relative.end(), '\\', '/');  // as written on Windows
   const fs::path file = folder_ / relative;
-  if (!fs::exists(file)) throw InputError(file.string(), "there is no such picture");
+  if (!fs::exists(file)) throw InputError(file.string(), "does not exist");
   return mean_of(read_image(file));
 }
 

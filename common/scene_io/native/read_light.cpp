@@ -30,7 +30,7 @@ std::shared_ptr<const EnvironmentImage> read_picture(const std::filesystem::path
   std::size_t negative = 0;
   for (Rgb& pixel : picture->pixels) {
     if (!is_finite(pixel))
-      throw InputError(place.text(), "a pixel of " + in_quotes(file.string()) + " is not finite", "mend the picture");
+      throw InputError(place.text(), "a pixel of " + in_quotes(file.string()) + " is not finite", "correct the picture");
     if (smallest(pixel) >= 0.0F) continue;
     pixel = {std::max(pixel.r, 0.0F), std::max(pixel.g, 0.0F), std::max(pixel.b, 0.0F)};
     ++negative;

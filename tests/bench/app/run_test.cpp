@@ -131,7 +131,7 @@ TEST(Run, NothingIsOverwrittenWithoutForce) {
   EXPECT_NE(shop.read("out/result.json"), "kept");
   shop.write("mine/notes.txt", std::string("mine"));
   const auto into_mine = with({"run", "room.scene.json", "--method", "pathtracer", "--out", "mine", "--force"}, small);
-  expect_bad_input(shop.gibench(into_mine), {"mine", "no result of gibench"});
+  expect_bad_input(shop.gibench(into_mine), {"mine", "not made by gibench"});
   EXPECT_EQ(shop.read("mine/notes.txt"), "mine");
 }
 

@@ -229,7 +229,7 @@ TEST(Study, WrongStudiesAreToldBeforeAnythingRuns) {
 TEST(Study, AFolderOfSomethingElseIsLeftAlone) {
   const Workshop shop;
   shop.write("out/notes.txt", std::string("mine"));
-  expect_bad_input(study(shop, small_study()), {"out", "something else"});
+  expect_bad_input(study(shop, small_study()), {"out", "holds no study"});
   EXPECT_EQ(shop.read("out/notes.txt"), "mine");
   shop.write("small.study.json", small_study());
   expect_bad_input(shop.gibench({"study", "small.study.json"}), {"--out"});

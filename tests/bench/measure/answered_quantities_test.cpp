@@ -1,4 +1,4 @@
-/// What a run makes of methods that answer one quantity alone.
+/// Runs of methods that answer a single quantity.
 #include <gmock/gmock.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// What a session does around a method, on a method that does what each test tells it to.
+/// The work of a session around a method, on a method whose behaviour each test sets.
 #include "common/method/method_session.h"
 
 #include <gmock/gmock.h>
@@ -141,7 +141,7 @@ TEST_F(Session, AValueThatWasNotWrittenIsTold) {
   EXPECT_EQ(report.message, "indirect light of sample 4 was not written or is not finite");
 }
 
-TEST_F(Session, AnswersArePoisonedBeforeTheWork) {
+TEST_F(Session, AnswersAreFilledWithNanBeforeTheWork) {
   make_ready();
   direct.assign(samples.size(), Rgb(7.0F));
   bool poisoned = true;
@@ -192,7 +192,7 @@ TEST_F(Session, ACancelledRunSaysSo) {
   EXPECT_EQ(session.prepare(world, {}, cancelled).termination, Termination::cancelled);
 }
 
-/// Where a method gives indirect light alone, the shared evaluator completes it.
+/// The shared evaluator completes a method that gives indirect light only.
 TEST_F(Session, DirectLightIsCompletedByTheSharedEvaluator) {
   method.can.direct = false;
   make_ready();

@@ -149,7 +149,7 @@ TEST_F(StudyFixture, WhatIsNoStudyIsRefused) {
   std::ofstream(folder_ / "manifest.json") << "{\"gibench_study\": 1,";
   EXPECT_THAT(message_of(folder_), HasSubstr("manifest.json"));
   std::ofstream(folder_ / "manifest.json") << "{\"something\": 1}";
-  EXPECT_THAT(message_of(folder_), HasSubstr("no study manifest"));
+  EXPECT_THAT(message_of(folder_), HasSubstr("not a study manifest"));
   std::ofstream(folder_ / "manifest.json") << R"({"gibench_study": 1, "scenes": {"a": 1}, "runs": 7})";
   EXPECT_THAT(message_of(folder_), HasSubstr("manifest.json"));
 }
@@ -235,7 +235,7 @@ TEST_F(StudyFixture, RelightingsTellWhenPreparingHasPaid) {
   EXPECT_EQ(
       relight_sentence(study.relights[0]),
       "relit on cornell-box: a frame takes 40.0 ms after 30.0 s of preparing; path tracing to the same error takes 400 [300, "
-      "500] times that. Preparing has paid for itself after 2 [2, 3] frames.");
+      "500] times that. Preparation has paid for itself after 2 [2, 3] frames.");
   EXPECT_THAT(relight_sentence(study.relights[1]), HasSubstr("at least 200 times"));
   EXPECT_THAT(relight_sentence(study.relights[1]), HasSubstr("after 4 frames at most"));
 }

@@ -1,4 +1,4 @@
-// Every kind of wrong scene file: one line that says where, what and the mend.
+// Every kind of wrong scene file: one line that says where, what is wrong, and how to fix it.
 #include <vector>
 
 #include "tests/common/scene_io/scene_text.h"
