@@ -59,7 +59,11 @@ Workshop::Workshop() {
 
 Outcome Workshop::gibench(const std::vector<std::string>& arguments, const std::string& before) const {
   std::string command = "cd ";
-  command.append(quoted(path().string())).append("; ulimit -c 0; ").append(before).append(" exec ").append(quoted(GIBENCH_PROGRAM));
+  command.append(quoted(path().string()))
+      .append("; ulimit -c 0; ")
+      .append(before)
+      .append(" exec ")
+      .append(quoted(GIBENCH_PROGRAM));
   for (const std::string& argument : arguments) command.append(" ").append(quoted(argument));
   command.append(" >").append(quoted((folder_ / "stdout.txt").string()));
   command.append(" 2>").append(quoted((folder_ / "stderr.txt").string()));
