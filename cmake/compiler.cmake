@@ -16,7 +16,7 @@ check_cxx_source_compiles("
   }" GIBENCH_COMPILER_HAS_CXX20)
 unset(CMAKE_REQUIRED_FLAGS)
 if(NOT GIBENCH_COMPILER_HAS_CXX20)
-  message(FATAL_ERROR "${CMAKE_CXX_COMPILER} ${CMAKE_CXX_COMPILER_VERSION} does not compile C++20: install g++ 12 or clang++ 14 "
+  gibench_stop("${CMAKE_CXX_COMPILER} ${CMAKE_CXX_COMPILER_VERSION} does not compile C++20: install g++ 12 or clang++ 14 "
           "or later and name it with CXX=g++ or -DCMAKE_CXX_COMPILER=g++ (in a new build folder)")
 endif()
 
@@ -24,7 +24,7 @@ if(GIBENCH_ARCHITECTURE)
   set(CMAKE_REQUIRED_FLAGS -march=${GIBENCH_ARCHITECTURE})
   check_cxx_source_compiles("int main() {}" GIBENCH_ARCHITECTURE_${GIBENCH_ARCHITECTURE}_IS_KNOWN)
   if(NOT GIBENCH_ARCHITECTURE_${GIBENCH_ARCHITECTURE}_IS_KNOWN)
-    message(FATAL_ERROR "${CMAKE_CXX_COMPILER} does not know -march=${GIBENCH_ARCHITECTURE}: set GIBENCH_ARCHITECTURE to one that "
+    gibench_stop("${CMAKE_CXX_COMPILER} does not know -march=${GIBENCH_ARCHITECTURE}: set GIBENCH_ARCHITECTURE to one that "
             "it knows, or to nothing (-DGIBENCH_ARCHITECTURE=)")
   endif()
   check_cxx_source_compiles("

@@ -53,7 +53,7 @@ find_library(METIS_LIBRARY metis)
 
 if(gibench_missing)
   list(JOIN gibench_missing " " gibench_missing)
-  message(FATAL_ERROR "libraries are missing; on Debian 12: apt-get install ${gibench_missing}")
+  gibench_stop("libraries are missing: on Debian 12, apt-get install ${gibench_missing}")
 endif()
 
 find_program(CCACHE ccache)

@@ -57,7 +57,7 @@ configure() {
   fi
   say "configuring ($build)"
   cmake --preset "$preset" -B "$build" "${fresh[@]}" >&2 ||
-    stop "the project could not be configured: the line above that begins with 'CMake Error' is followed by what to do"
+    stop "$(cat "$build/stopped.txt" 2>/dev/null || echo "CMake could not configure $build: its first error above says why")"
 }
 
 install_node_modules() {
