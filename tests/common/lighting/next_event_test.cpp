@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/core/random.h"
+#include "common/ray/ray_stream.h"
 #include "tests/support/scene_builder.h"
 
 namespace gibench {
