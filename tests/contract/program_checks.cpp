@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "common/scene/tessellate.h"
 #include "tests/contract/compare.h"
 #include "tests/contract/contract.h"
 #include "tests/contract/run.h"

@@ -5,7 +5,7 @@
 
 #include "common/scene/light_kinds.h"
 #include "common/scene/material_kinds.h"
-#include "common/scene_io/native/scene_schema.h"
+#include "common/scene_io/native/scene_schema_text.h"
 
 namespace gibench {
 namespace {
