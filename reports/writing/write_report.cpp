@@ -44,7 +44,9 @@ void write_tables(const Study& study, const fs::path& folder) {
 
 std::string read_text(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string(), "is missing", "keep share/gibench beside the program's bin folder whole, or set GIBENCH_REPORTS");
+  if (!in)
+    throw InputError(file.string(), "is missing",
+                     "keep share/gibench beside the program's bin folder whole, or set GIBENCH_REPORTS");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
