@@ -1,6 +1,10 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs the quick study and prints the path of its report.
 # With arguments: passes them to gibench instead.
+if [ $# -eq 0 ] && ! { mkdir -p out/quick && [ -w out/quick ]; } 2>/dev/null; then
+  printf 'gibench: %s cannot be written: call run.sh from a folder that can, the results go to out/quick there\n' "$PWD/out/quick" >&2
+  exit 2
+fi
 source "$(dirname "${BASH_SOURCE[0]}")/cmake/setup.sh"
 gibench=$build/bin/gibench
 cd "$invoked_from"

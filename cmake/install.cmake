@@ -1,6 +1,8 @@
 # What the program reads at run time lies in share/gibench, found from the program's own place: ../share/gibench. The
 # build folder has the same layout as the installed tree, with links to the sources.
 include(GNUInstallDirs)
+# Where the program looks, and so not to be set: bin/gibench, lib/gibench/, share/gibench/.
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
 set(GIBENCH_DATA_FOLDER ${CMAKE_BINARY_DIR}/share/gibench)
 set(report_files render.mjs package.json package-lock.json)
@@ -15,7 +17,7 @@ foreach(file ${report_files})
   configure_file(${PROJECT_SOURCE_DIR}/reports/${file} ${GIBENCH_DATA_FOLDER}/reports/${file} COPYONLY)
 endforeach()
 
-set(data ${CMAKE_INSTALL_DATADIR}/gibench)
+set(data share/gibench)
 install(DIRECTORY scenes DESTINATION ${data} FILES_MATCHING PATTERN "*.json" PATTERN "*.md" PATTERN "generators" EXCLUDE)
 install(DIRECTORY ${GIBENCH_DATA_FOLDER}/generated_scenes DESTINATION ${data})
 install(DIRECTORY reports/page reports/plots DESTINATION ${data}/reports)
@@ -23,4 +25,5 @@ list(TRANSFORM report_files PREPEND reports/)
 install(FILES ${report_files} DESTINATION ${data}/reports)
 install(DIRECTORY ${GIBENCH_DATA_FOLDER}/reports/node_modules DESTINATION ${data}/reports OPTIONAL
         PATTERN "playwright-core" EXCLUDE)  # only the tests use a browser
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,13 +1,14 @@
 # Sourced by run.sh and test.sh: installs what is missing, configures and builds. Afterwards $build is the build folder.
 #   GIBENCH_PRESET  the preset of CMakePresets.json to build; default: release
-#   GIBENCH_BUILD   where build folders are made; default: build/ beside the sources, which may then not be read-only
+#   GIBENCH_BUILD   where build folders are made; default: build/ in the source folder
 set -euo pipefail
 export LC_ALL=C.UTF-8
 invoked_from=$PWD
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build_root=${GIBENCH_BUILD:+$(realpath -m "$GIBENCH_BUILD")}
+cd -P "$(dirname "${BASH_SOURCE[0]}")/.."
 
 preset=${GIBENCH_PRESET:-release}
-build_root=$(realpath -m "${GIBENCH_BUILD:-build}")
+build_root=${build_root:-$PWD/build}
 build=$build_root/$preset
 
 say() { printf '\n== %s\n' "$*" >&2; }
@@ -55,6 +56,7 @@ configure() {
   if [ -f "$build/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$build/CMakeCache.txt"; then
     fresh=(--fresh)
   fi
+  rm -f "$build/stopped.txt"
   say "configuring ($build)"
   cmake --preset "$preset" -B "$build" "${fresh[@]}" >&2 ||
     stop "$(cat "$build/stopped.txt" 2>/dev/null || echo "CMake could not configure $build: its first error above says why")"
@@ -82,7 +84,7 @@ test_jobs() {
   local cores memory_kib
   cores=$(nproc)
   memory_kib=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
-  local jobs=$((memory_kib / 1048576))
+  local jobs=$((${memory_kib:-1048576} / 1048576))
   if [ "$jobs" -gt "$cores" ]; then jobs=$cores; fi
   if [ "$jobs" -lt 1 ]; then jobs=1; fi
   echo "$jobs"

@@ -7,6 +7,7 @@
 
 #include "bench/app/print_json.h"
 #include "bench/app/verbs.h"
+#include "bench/measure/scene_search.h"
 #include "bench/study/file_lock.h"
 #include "bench/study/study_runner.h"
 #include "common/core/error.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct StudyOptions {
-  fs::path study;
+  std::string study;
   StudySettings settings;
   std::string shard = "0/1";
   bool dry_run = false;
@@ -56,7 +57,7 @@ void print_summary(const Json& manifest, const fs::path& out) {
 
 ExitStatus study(StudyOptions options, const CommonOptions& common) {
   options.settings.shard = parse_shard(options.shard);
-  const Study study = read_study(options.study);
+  const Study study = read_study(find_study(options.study));
   if (options.dry_run) {
     list_runs(study, common.json);
     return ExitStatus::done;
@@ -78,7 +79,7 @@ ExitStatus study(StudyOptions options, const CommonOptions& common) {
 void add_study(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "study", "Runs scenes x methods x parameter sweeps into a folder; resumes by itself");
   const auto options = std::make_shared<StudyOptions>();
-  verb->add_option("study", options->study, "Study file")->required();
+  verb->add_option("study", options->study, "Study file, or the name of one that comes with the program")->required();
   verb->add_option("--out", options->settings.out, "Folder for the results");
   verb->add_flag("--dry-run", options->dry_run, "Only list the runs");
   verb->add_flag("--force", options->settings.force, "Redo what is finished");

@@ -3,14 +3,32 @@
 #include <chrono>
 
 #include "bench/measure/scene_search.h"
+#include "common/core/find_file.h"
+#include "common/core/names.h"
 #include "common/scene_io/load.h"
 
 namespace gibench {
 
+namespace {
+
+/// As find_scene(); of a name that is found nowhere it says which known scene is near.
+std::filesystem::path existing_scene(const std::string& name) {
+  try {
+    return find_file(find_scene(name), ".", name);
+  } catch (const MissingFileError&) {
+    std::vector<std::string> names;
+    for (const KnownScene& scene : known_scenes()) names.push_back(scene.name);
+    throw MissingFileError(name, "there is no file or scene of this name, here or under a folder of GIBENCH_PATH",
+                           known_names("scenes", name, names));
+  }
+}
+
+}  // namespace
+
 LoadedScene load_world(const std::string& name, int threads) {
   const auto start = std::chrono::steady_clock::now();
   LoadedScene loaded;
-  loaded.world = std::make_unique<World>(load_scene(find_scene(name)), threads);
+  loaded.world = std::make_unique<World>(load_scene(existing_scene(name)), threads);
   loaded.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return loaded;
 }

@@ -46,4 +46,9 @@ fs::path find_scene(const std::string& name, const fs::path& beside) {
   return name;
 }
 
+fs::path find_study(const std::string& name) {
+  const fs::path known = data_folder() / "scenes" / "studies" / (name + ".study.json");
+  return !is_file(name) && !fs::path(name).is_absolute() && is_file(known) ? known : fs::path(name);
+}
+
 }  // namespace gibench

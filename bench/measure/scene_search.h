@@ -20,4 +20,8 @@ std::vector<KnownScene> known_scenes();
 /// is given back unchanged for the loader, which also searches GIBENCH_PATH and words the error.
 std::filesystem::path find_scene(const std::string& name, const std::filesystem::path& beside = {});
 
+/// The study file that `name` stands for: a path as it is, else scenes/studies/NAME.study.json of those that come with the
+/// program; a name that is found nowhere is given back unchanged.
+std::filesystem::path find_study(const std::string& name);
+
 }  // namespace gibench

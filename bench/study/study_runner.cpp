@@ -112,6 +112,16 @@ StudyRunner::StudyRunner(const Study& study, StudySettings settings, const WorkO
 StudyRunner::~StudyRunner() = default;
 
 void StudyRunner::run() {
+  try {
+    run_stages();
+  } catch (const WorkError&) {
+    if (!cancellation()->load()) throw;
+    throw WorkError(fmt::format("cancelled; {} finished runs are kept in {}, and the same command does the rest", finished_.load(),
+                                folders_.root.string()));
+  }
+}
+
+void StudyRunner::run_stages() {
   make_folder(folders_.root / "runs");
   make_folder(folders_.scratch());
   check_scenes();

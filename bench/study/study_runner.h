@@ -37,7 +37,8 @@ class StudyRunner {
   StudyRunner(const Study& study, StudySettings settings, const WorkOptions& common);
   ~StudyRunner();
 
-  /// Throws InputError for a scene that is wrong, WorkError where the user asked to stop. What runs do is recorded.
+  /// Throws InputError for a scene that is wrong, WorkError where the user asked to stop, which says what was kept. What runs do
+  /// is recorded.
   void run();
   /// The manifest as it stands.
   nlohmann::ordered_json manifest() const;
@@ -50,6 +51,7 @@ class StudyRunner {
     std::string reference_message;             ///< why there is none
   };
 
+  void run_stages();
   void check_scenes();
   void make_references();
   void make_reference(std::size_t scene);

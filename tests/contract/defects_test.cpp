@@ -107,7 +107,7 @@ const WrongEntry wrong_entries[] = {
     {"HasNoSummary", [](MethodEntry& e) { e.summary.clear(); }, "TheEntryDescribesItself", "summary"},
     {"HasTwoLinesOfSource", [](MethodEntry& e) { e.source = "a\nb"; }, "TheEntryDescribesItself", "source"},
     {"HasNoLightPaths", [](MethodEntry& e) { e.light_paths = "C<D>*[<LO>]"; }, "LightPathsAreTold", "no expression"},
-    {"HasNoPlainName", [](MethodEntry& e) { e.name = "Am bient"; }, "TheEntryDescribesItself", "no plain name"},
+    {"HasNoPlainName", [](MethodEntry& e) { e.name = "Am bient"; }, "TheEntryDescribesItself", "not a plain name"},
     {"TakesWhatItShouldNotKnow",
      [](MethodEntry& e) {
        e.schema.push_back({"no_such_parameter", true, 0, 0, {}, "a trap"});
@@ -127,7 +127,7 @@ const WrongEntry wrong_entries[] = {
     {"HasTheSameParameterTwice", [](MethodEntry& e) { e.schema.push_back(e.schema[0]); }, "ParametersDescribeThemselves",
      "two parameters called points"},
     {"HasNoPlainParameterName", [](MethodEntry& e) { e.schema[2].name = "lively?"; }, "ParametersDescribeThemselves",
-     "no plain name"},
+     "not a plain name"},
     {"DoesNotSayWhatItMeans", [](MethodEntry& e) { e.schema[2].meaning.clear(); }, "ParametersDescribeThemselves",
      "lively does not say"},
 };

@@ -86,6 +86,7 @@ TEST(Check, EveryWrongSceneGetsOneLineWithPlaceAndMend) {
     expect_bad_input(shop.gibench({"check", "wrong.scene.json"}), words);
   }
   expect_bad_input(shop.gibench({"check", "nowhere.scene.json"}), {"nowhere.scene.json"});
+  expect_bad_input(shop.gibench({"check", "cornel-box"}), {"cornel-box", "did you mean \"cornell-box\"?"});
 }
 
 TEST(Check, ATruncatedModelIsTold) {

@@ -100,6 +100,14 @@ TEST(Study, ADryRunListsTheRunsAndWritesNothing) {
   EXPECT_EQ(study(shop, small_study(), {"--dry-run", "--json"}).json().size(), 2U);
 }
 
+TEST(Study, OneThatComesWithTheProgramIsFoundByItsName) {
+  const Workshop shop;
+  const Outcome listed = shop.gibench({"study", "quick", "--dry-run"});
+  EXPECT_EQ(listed.status, 0) << listed.error;
+  EXPECT_THAT(listed.out, HasSubstr("cornell-box.meshless\n"));
+  expect_bad_input(shop.gibench({"study", "quicker", "--dry-run"}), {"quicker"});
+}
+
 TEST(Study, ATimeOutIsAResultAndIsKept) {
   const Workshop shop;
   Json json = small_study({1, 50000000});
@@ -196,7 +204,7 @@ TEST(Study, InterruptedItStopsItsRunAndSaysSo) {
       study(shop, json, {},
             "(while [ ! -e out/runs/room.pathtracer-samples=1/run.json ]; do sleep 0.05; done; sleep 0.4; kill -INT $$) &");
   EXPECT_EQ(outcome.status, 4);
-  EXPECT_THAT(outcome.error, HasSubstr("cancelled"));
+  EXPECT_THAT(outcome.error, HasSubstr("cancelled; 1 finished runs are kept in"));
   EXPECT_FALSE(shop.has("out/runs/room.pathtracer-samples=50000000"));
   EXPECT_EQ(run_of(shop.read_json("out/manifest.json"), "room.pathtracer-samples=1")["status"], "done");
 }
