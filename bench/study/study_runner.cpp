@@ -116,8 +116,8 @@ void StudyRunner::run() {
     run_stages();
   } catch (const WorkError&) {
     if (!cancellation()->load()) throw;
-    throw WorkError(fmt::format("cancelled; {} finished runs are kept in {}, and the same command does the rest", finished_.load(),
-                                folders_.root.string()));
+    throw WorkError(fmt::format("cancelled; {} finished runs are kept in {}, and the same command does the rest",
+                                finished_.load(), folders_.root.string()));
   }
 }
 
