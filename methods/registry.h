@@ -1,4 +1,5 @@
-/// Every method, in the order in which they are listed. A new method is one folder, one line here and a test.
+/// Every method, in the order in which they are listed. A new method is an include and a line in registry.cpp (README.md, "A new
+/// method").
 #pragma once
 
 #include <span>

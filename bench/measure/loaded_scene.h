@@ -15,7 +15,8 @@ struct LoadedScene {
   const Scene& scene() const { return world->scene(); }
 };
 
-/// `name`: a path or the name of a known scene (bench/scene_search.h). Throws InputError with file, JSON path and how to fix it.
+/// `name`: a path or the name of a known scene (bench/measure/scene_search.h). Throws InputError with file, JSON path and how to
+/// fix it.
 LoadedScene load_world(const std::string& name, int threads);
 
 }  // namespace gibench

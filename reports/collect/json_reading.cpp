@@ -43,13 +43,6 @@ std::optional<std::uint64_t> count_at(const Json& object, const std::string& nam
   return number < 0 ? std::nullopt : std::optional(static_cast<std::uint64_t>(number));
 }
 
-std::vector<std::string> texts_at(const Json& object, const std::string& name) {
-  std::vector<std::string> texts;
-  if (const Json* value = entry(object, name); value && value->is_array())
-    for (const Json& item : *value) texts.push_back(plain_text(item));
-  return texts;
-}
-
 const Json& object_at(const Json& object, const std::string& name) {
   static const Json nothing = Json::object();
   const Json* value = entry(object, name);

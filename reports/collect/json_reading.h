@@ -17,7 +17,6 @@ using Json = nlohmann::ordered_json;
 std::optional<std::string> text_at(const Json& object, const std::string& name);
 std::optional<double> number_at(const Json& object, const std::string& name);
 std::optional<std::uint64_t> count_at(const Json& object, const std::string& name);
-std::vector<std::string> texts_at(const Json& object, const std::string& name);
 
 /// The entry; an empty object where it is absent or not an object.
 const Json& object_at(const Json& object, const std::string& name);
