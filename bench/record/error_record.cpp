@@ -2,6 +2,7 @@
 
 #include "bench/record/json_fields.h"
 #include "common/core/atomic_file.h"
+#include "common/core/enum_names.h"
 
 namespace gibench {
 
@@ -16,13 +17,6 @@ const char* to_string(ErrorCode code) {
   return "work_failed";
 }
 
-std::optional<ErrorCode> error_code_of(const std::string& name) {
-  for (const ErrorCode code :
-       {ErrorCode::bad_input, ErrorCode::missing_file, ErrorCode::refused, ErrorCode::out_of_memory, ErrorCode::work_failed})
-    if (name == to_string(code)) return code;
-  return std::nullopt;
-}
-
 void write_error_record(const std::filesystem::path& file, const ErrorRecord& record) {
   const Json json{{"error", to_string(record.code)}, {"message", record.message}};
   write_file_atomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -34,7 +28,7 @@ std::optional<ErrorRecord> read_error_record(const std::filesystem::path& file) 
   const Json json = Json::parse(read_file(file), nullptr, false);
   const Json *name = field(json, "error"), *message = field(json, "message");
   if (!name || !name->is_string() || !message || !message->is_string()) return std::nullopt;
-  const auto code = error_code_of(name->get<std::string>());
+  const auto code = find_named(all_error_codes, name->get<std::string>());
   return code ? std::optional(ErrorRecord{*code, message->get<std::string>()}) : std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 /// that started it.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,10 +16,10 @@ enum class ErrorCode {
   out_of_memory,  ///< more was asked for than there is
   work_failed,    ///< anything else: out of time, no convergence, cancelled
 };
+inline constexpr std::array all_error_codes{ErrorCode::bad_input, ErrorCode::missing_file, ErrorCode::refused,
+                                            ErrorCode::out_of_memory, ErrorCode::work_failed};
 /// "bad_input", "missing_file", …
 const char* to_string(ErrorCode code);
-/// The code of this name; empty for a name that is none.
-std::optional<ErrorCode> error_code_of(const std::string& name);
 
 struct ErrorRecord {
   ErrorCode code = ErrorCode::work_failed;

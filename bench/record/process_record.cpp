@@ -2,6 +2,7 @@
 
 #include "bench/record/json_fields.h"
 #include "common/core/atomic_file.h"
+#include "common/core/enum_names.h"
 
 namespace gibench {
 
@@ -15,13 +16,6 @@ const char* to_string(RunStatus status) {
     case RunStatus::skipped: return "skipped";
   }
   return "failed";
-}
-
-std::optional<RunStatus> run_status_of(const std::string& name) {
-  for (const RunStatus status :
-       {RunStatus::done, RunStatus::refused, RunStatus::timed_out, RunStatus::crashed, RunStatus::failed, RunStatus::skipped})
-    if (name == to_string(status)) return status;
-  return std::nullopt;
 }
 
 void add_to_entry(const ProcessRecord& record, Json& entry) {
@@ -51,8 +45,8 @@ ProcessRecord process_of_entry(const Json& entry) {
   read_field(entry, "wall_seconds", record.wall_seconds);
   read_field(entry, "peak_bytes", record.peak_bytes);
   read_field(entry, "process_peak_bytes", record.process_peak_bytes);
-  record.error = error_code_of(error);
-  if (const auto known = run_status_of(status)) record.status = *known;
+  record.error = find_named(all_error_codes, error);
+  if (const auto known = find_named(all_run_statuses, status)) record.status = *known;
   else record.message = "unknown status '" + status + "' in the manifest" + (record.message.empty() ? "" : "; " + record.message);
   return record;
 }

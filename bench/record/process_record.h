@@ -1,6 +1,7 @@
 /// How the process of a study's run ended: run.json beside the run's result.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -12,9 +13,10 @@
 namespace gibench {
 
 enum class RunStatus { done, refused, timed_out, crashed, failed, skipped };
+inline constexpr std::array all_run_statuses{RunStatus::done,    RunStatus::refused, RunStatus::timed_out,
+                                             RunStatus::crashed, RunStatus::failed,  RunStatus::skipped};
 /// As in the files: "done", "timed_out", …
 const char* to_string(RunStatus status);
-std::optional<RunStatus> run_status_of(const std::string& name);
 
 inline constexpr const char* process_file = "run.json";
 

@@ -86,7 +86,7 @@ StudyRun run_of(const Json& entry, Study& study) {
   run.folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + run.id));
 
   const std::string status = text_at(entry, "status").value_or("");
-  if (const auto known = run_status_of(status)) run.status = *known;
+  if (const auto known = find_named(all_run_statuses, status)) run.status = *known;
   else run.message = "unknown status '" + status + "' in the manifest" + (run.message.empty() ? "" : "; " + run.message);
 
   const fs::path file = run.folder / result_file;
@@ -114,7 +114,7 @@ StudyRelight relight_of(const Json& entry, Study& study) {
   relight.lights = text_at(entry, "lights").value_or("");
   relight.parameters = facts_of(object_at(entry, "parameters"));
   relight.message = text_at(entry, "message").value_or("");
-  relight.status = run_status_of(text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
+  relight.status = find_named(all_run_statuses, text_at(entry, "status").value_or("")).value_or(RunStatus::failed);
   if (relight.status != RunStatus::done) return relight;
   const fs::path folder = inside(study.folder, text_at(entry, "folder").value_or("runs/" + relight.id));
   try {
