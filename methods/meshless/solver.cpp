@@ -10,6 +10,7 @@
 #include "common/core/random.h"
 #include "common/finite_elements/bounce_series.h"
 #include "common/finite_elements/surface_point.h"
+#include "common/method/series_termination.h"
 
 namespace gibench::meshless {
 
@@ -233,9 +234,7 @@ class Bounces {
       }
     }
     task_.count("bounces", static_cast<std::uint64_t>(series_.bounces()));
-    solution.termination = series_.settled()     ? Termination::converged
-                           : series_.succeeded() ? Termination::bound_reached
-                                                 : Termination::not_converged;
+    solution.termination = termination_of(series_);
     solution.message = series_.message();
     task_.count("solution_functions", sum.size());
     solution.indirect.emplace(sum);

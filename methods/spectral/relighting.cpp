@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/method/series_termination.h"
+
 namespace gibench::spectral {
 
 namespace {
@@ -87,9 +89,7 @@ void bounce(const Transfer& transfer, const BounceBound& bound, Frame& frame, Re
   }
   relit.bounces = series.bounces();
   relit.residual = series.residual();
-  relit.termination = series.settled()     ? Termination::converged
-                      : series.succeeded() ? Termination::bound_reached
-                                           : Termination::not_converged;
+  relit.termination = termination_of(series);
   relit.message = series.message();
 }
 
