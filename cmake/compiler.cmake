@@ -20,10 +20,12 @@ if(NOT GIBENCH_COMPILER_HAS_CXX20)
           "or later and name it with CXX=g++ or -DCMAKE_CXX_COMPILER=g++ (in a new build folder)")
 endif()
 
+# The name of a check becomes a macro of the compiled test: x86-64-v3 is none.
+string(MAKE_C_IDENTIFIER "${GIBENCH_ARCHITECTURE}" architecture)
 if(GIBENCH_ARCHITECTURE)
   set(CMAKE_REQUIRED_FLAGS -march=${GIBENCH_ARCHITECTURE})
-  check_cxx_source_compiles("int main() {}" GIBENCH_ARCHITECTURE_${GIBENCH_ARCHITECTURE}_IS_KNOWN)
-  if(NOT GIBENCH_ARCHITECTURE_${GIBENCH_ARCHITECTURE}_IS_KNOWN)
+  check_cxx_source_compiles("int main() {}" GIBENCH_ARCHITECTURE_${architecture}_IS_KNOWN)
+  if(NOT GIBENCH_ARCHITECTURE_${architecture}_IS_KNOWN)
     gibench_stop("${CMAKE_CXX_COMPILER} does not know -march=${GIBENCH_ARCHITECTURE}: set GIBENCH_ARCHITECTURE to one that "
             "it knows, or to nothing (-DGIBENCH_ARCHITECTURE=)")
   endif()
@@ -31,13 +33,13 @@ if(GIBENCH_ARCHITECTURE)
     #ifndef __AVX512F__
     #error none
     #endif
-    int main() {}" GIBENCH_AVX512_${GIBENCH_ARCHITECTURE})
+    int main() {}" GIBENCH_AVX512_${architecture})
   unset(CMAKE_REQUIRED_FLAGS)
 endif()
 
 # The intrinsics of AVX-512 start from registers that they leave undefined on purpose, and g++ before 13 warns of that
 # wherever Eigen or xxHash inline them (GCC bug 105593).
 set(GIBENCH_FALSE_WARNINGS "")
-if(GIBENCH_AVX512_${GIBENCH_ARCHITECTURE} AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+if(GIBENCH_AVX512_${architecture} AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   set(GIBENCH_FALSE_WARNINGS -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
