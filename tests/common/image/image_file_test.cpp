@@ -13,11 +13,13 @@
 #include "common/core/random.h"
 #include "common/image/image_layers.h"
 #include "common/image/srgb.h"
+#include "tests/common/image/reading_error.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {
 namespace {
 
+using test::reading_error;
 using test::ScratchFolder;
 using testing::HasSubstr;
 
@@ -27,17 +29,6 @@ Image noise_image(int width, int height, float largest_value) {
   for (int i = 0; i < width * height; ++i)
     image.pixels.push_back(largest_value * Rgb(random.next_float(), random.next_float(), random.next_float()));
   return image;
-}
-
-/// What read_image throws for `file`, which must be one line.
-std::string reading_error(const std::filesystem::path& file) {
-  try {
-    read_image(file);
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Image, AnExrKeepsEveryBit) {

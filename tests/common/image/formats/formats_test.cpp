@@ -10,24 +10,15 @@
 #include "common/image/image_file.h"
 #include "common/image/srgb.h"
 #include "tests/common/image/formats/image_files.h"
+#include "tests/common/image/reading_error.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {
 namespace {
 
+using test::reading_error;
 using test::ScratchFolder;
 using testing::HasSubstr;
-
-/// What read_image throws for `file`, which must be one line.
-std::string reading_error(const std::filesystem::path& file) {
-  try {
-    read_image(file);
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    return error.what();
-  }
-  return "no error";
-}
 
 void cut_file(const std::filesystem::path& from, const std::filesystem::path& to, double share) {
   const std::string bytes = read_file(from);
