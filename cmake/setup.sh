@@ -67,7 +67,8 @@ install_node_modules() {
   local stamp=$reports/node_modules/.package-lock.json
   if [ -f "$stamp" ] && [ ! "$reports/package-lock.json" -nt "$stamp" ]; then return 0; fi
   say "installing the report's plot packages"
-  if (cd "$reports" && npm ci --no-progress --no-audit --no-fund >&2); then
+  # Packages of an earlier build serve without a network, and where there is none npm gives up within half a minute.
+  if (cd "$reports" && npm ci --prefer-offline --fetch-retry-maxtimeout=10000 --no-progress --no-audit --no-fund >&2); then
     touch "$stamp"
   else
     say "npm could not install the plot packages (no network?): reports will have no plots until 'npm ci' works in $reports"
