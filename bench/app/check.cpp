@@ -63,6 +63,15 @@ Json lights_json(const LightCounts& lights) {
   return json;
 }
 
+Json geometry_json(const World& world) {
+  Json json = to_json(report_geometry(world.scene()));
+  const CoincidenceCounts coincident = count_coincidences(world.geometry().coplanar());
+  json["coincident_twins"] = coincident.twins;
+  json["coincident_opposite_twins"] = coincident.opposite_twins;
+  json["coincident_overlaps"] = coincident.overlaps;
+  return json;
+}
+
 Json cameras_json(const Scene& scene) {
   Json list = Json::array();
   for (const Camera& camera : scene.cameras)
@@ -129,7 +138,7 @@ ExitStatus check(const CheckOptions& options, const CommonOptions& common) {
   Json json{{"scene", scene.name},
             {"file", scene.file.string()},
             {"key", scene_key(scene)},
-            {"geometry", to_json(report_geometry(scene))},
+            {"geometry", geometry_json(*loaded.world)},
             {"cameras", cameras_json(scene)},
             {"lights", scene.lights.size()},
             {"warnings", scene.warnings},

@@ -35,6 +35,13 @@ Vec2 nearest_barycentrics(const Vec3& point, const Vec3& a, const Vec3& b, const
   return {static_cast<float>(vb / sum), static_cast<float>(vc / sum)};
 }
 
+/// The sample of what is in front where triangles coincide.
+SurfaceSample settled(const World& world, const SurfaceSample& sample) {
+  const Hit found{sample.triangle, sample.barycentrics.x, sample.barycentrics.y, 0.0F};
+  const Hit hit = world.coincident().in_front(found, -sample.normal);
+  return hit.triangle == sample.triangle ? sample : world.sample_at(hit.triangle, {hit.u, hit.v}, sample.normal);
+}
+
 }  // namespace
 
 std::optional<SurfaceSample> find_surface_point(const World& world, const Vec3& point, const Vec3& normal, float max_distance) {
@@ -55,7 +62,7 @@ std::optional<SurfaceSample> find_surface_point(const World& world, const Vec3& 
     best_score = score;
     best = world.sample_at(t, nearest, normal);
   }
-  return best;
+  return best ? settled(world, *best) : best;
 }
 
 }  // namespace gibench

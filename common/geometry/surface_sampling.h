@@ -10,7 +10,8 @@
 namespace gibench {
 
 /// `count` samples, stratified by area over all sides that light can leave (both sides of two-sided objects);
-/// degenerate triangles get none. The same seed gives the same samples. Empty where the scene has no area.
+/// degenerate triangles get none, and coincident ones only where they are in front. The same seed gives the same samples. Empty
+/// where the scene has no area.
 std::vector<SurfaceSample> area_uniform_samples(const World& world, std::size_t count, std::uint64_t seed);
 
 }  // namespace gibench

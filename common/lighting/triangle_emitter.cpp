@@ -44,6 +44,7 @@ TriangleEmitter::TriangleEmitter(const World& world, std::uint32_t triangle, boo
     offset_ = std::max(offset_, world.offset(at_corner));
   }
   near_squared_ = near_radii * near_radii * radius * radius;
+  if (world.coincident().has_partners(triangle)) coincident_ = &world.coincident();
 }
 
 double TriangleEmitter::power() const {
@@ -60,6 +61,11 @@ double TriangleEmitter::near_solid_angle(const Vec3& from) const {
   return solid_angle > smallest_solid_angle ? solid_angle : 0.0;
 }
 
+/// Another triangle is met there.
+bool TriangleEmitter::is_behind(Vec2 barycentrics, const Vec3& direction) const {
+  return coincident_ != nullptr && !coincident_->shows(triangle_, barycentrics.x, barycentrics.y, direction);
+}
+
 LightSample TriangleEmitter::toward(const Vec3& from, Vec2 barycentrics) const {
   LightSample sample;
   const Vec3 point = corner_ + barycentrics.x * first_ + barycentrics.y * second_;
@@ -69,7 +75,7 @@ LightSample TriangleEmitter::toward(const Vec3& from, Vec2 barycentrics) const {
   const float distance = std::sqrt(squared);
   sample.direction = way / distance;
   const float cosine = -glm::dot(normal_, sample.direction);
-  if (cosine == 0.0F || (cosine < 0.0F && !two_sided_)) return sample;
+  if (cosine == 0.0F || (cosine < 0.0F && !two_sided_) || is_behind(barycentrics, sample.direction)) return sample;
   sample.radiance = radiance_;
   sample.target = point + (cosine > 0.0F ? offset_ : -offset_) * normal_;
   sample.pdf = squared / (std::fabs(cosine) * area_);
@@ -103,7 +109,7 @@ Hit TriangleEmitter::met_by(const Vec3& origin, const Vec3& direction) const {
   const float v = glm::dot(direction, normal_to_both) / determinant;
   if (!(v >= -edge_margin && u + v <= 1.0F + edge_margin)) return {};
   const float distance = glm::dot(second_, normal_to_both) / determinant;
-  return distance > 0.0F ? Hit{triangle_, u, v, distance} : Hit{};
+  return distance > 0.0F && !is_behind({u, v}, direction) ? Hit{triangle_, u, v, distance} : Hit{};
 }
 
 float TriangleEmitter::pdf(const Vec3& from, float distance, float cosine) const {

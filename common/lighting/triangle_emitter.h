@@ -13,13 +13,15 @@ namespace gibench {
 /// falls to zero where it matters most. Which one is decided by the point alone, so that pdf() knows.
 class TriangleEmitter {
  public:
+  /// The world must outlive this.
   TriangleEmitter(const World& world, std::uint32_t triangle, bool two_sided, const Rgb& radiance);
 
   std::uint32_t triangle() const { return triangle_; }
   /// Flux of all emitting sides averaged over the channels, W.
   double power() const;
 
-  /// A way from `from` to a point of the triangle; no light (pdf 0) where its back is seen. The pdf is of this triangle alone.
+  /// A way from `from` to a point of the triangle; no light (pdf 0) where its back is seen or another triangle is in front at
+  /// that point. The pdf is of this triangle alone.
   LightSample sample(const Vec3& from, Vec2 u) const;
   /// Density, 1/sr, of the direction from `from` that meets the triangle at `distance` metres under this absolute cosine.
   float pdf(const Vec3& from, float distance, float cosine) const;
@@ -28,6 +30,7 @@ class TriangleEmitter {
 
  private:
   double near_solid_angle(const Vec3& from) const;
+  bool is_behind(Vec2 barycentrics, const Vec3& direction) const;
   LightSample toward(const Vec3& from, Vec2 barycentrics) const;
 
   Vec3 corner_, first_, second_;  ///< a corner and the two edges from it, metres
@@ -39,6 +42,7 @@ class TriangleEmitter {
   float offset_;        ///< metres off the surface at which shadow rays end
   std::uint32_t triangle_;
   bool two_sided_;
+  const CoincidentFaces* coincident_ = nullptr;  ///< of the world, where other triangles lie over this
 };
 
 }  // namespace gibench

@@ -1,36 +1,43 @@
 #include "common/ray/world.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "common/ray/coincident_rays.h"
 #include "common/ray/embree/embree_backend.h"
+#include "common/ray/ray_offset.h"
 
 namespace gibench {
-
-namespace {
-
-// A position is rounded relative to its coordinates, Embree's intersection relative to the triangle's extent. Of four
-// million rays from each of four tilted and moved rooms, 2^-22 of both was the least at which none met its own triangle
-// again; four and two times that leave room, and let walls of a millimetre stand in scenes of a kilometre.
-constexpr float offset_per_coordinate = 0x1p-20F;
-constexpr float offset_per_extent = 0x1p-21F;
-
-}  // namespace
 
 World::World(Scene scene, int threads) : World(std::move(scene), threads, make_embree_backend) {}
 
 World::World(Scene scene, int threads, MakeRayBackend make_rays)
-    : scene_(std::move(scene)), threads_(threads), make_rays_(std::move(make_rays)) {
-  build_geometry();
+    : scene_(std::move(scene)),
+      threads_(threads),
+      make_rays_(std::move(make_rays)),
+      geometry_(build_geometry()),
+      coincident_(scene_, geometry_->normals(), geometry_->coplanar()) {
+  settle();
 }
 
 World::World(Scene scene, const World& before)
-    : scene_(std::move(scene)), threads_(before.threads_), make_rays_(before.make_rays_) {
-  if (have_same_shape(scene_, before.scene_)) geometry_ = before.geometry_;
-  else build_geometry();
+    : scene_(std::move(scene)),
+      threads_(before.threads_),
+      make_rays_(before.make_rays_),
+      geometry_(have_same_shape(scene_, before.scene_) ? before.geometry_ : build_geometry()),
+      coincident_(scene_, geometry_->normals(), geometry_->coplanar()) {
+  settle();
 }
 
-void World::build_geometry() {
-  geometry_ = std::make_shared<const WorldGeometry>(scene_, make_rays_(scene_.vertices, scene_.triangles, threads_));
+std::shared_ptr<const WorldGeometry> World::build_geometry() const {
+  return std::make_shared<const WorldGeometry>(scene_, make_rays_(scene_.vertices, scene_.triangles, threads_), threads_);
+}
+
+void World::settle() {
+  if (!coincident_.empty()) settled_rays_ = std::make_unique<const CoincidentRays>(geometry_->rays(), coincident_);
+  total_area_ = geometry_->total_area();
+  for (std::uint32_t triangle = 0; triangle < scene_.triangles.size(); ++triangle)
+    if (coincident_.is_hidden(triangle)) total_area_ -= static_cast<double>(geometry_->area(triangle));
 }
 
 Vec3 World::position(std::uint32_t triangle, Vec2 barycentrics) const {
@@ -54,7 +61,9 @@ SurfaceSample World::sample_at(std::uint32_t triangle, Vec2 barycentrics, const 
 }
 
 float World::offset(const SurfaceSample& sample) const {
-  return offset_per_coordinate * max_abs(sample.position) + offset_per_extent * geometry_->extent(sample.triangle);
+  float extent = geometry_->extent(sample.triangle);
+  for (const std::uint32_t partner : coincident_.partners(sample.triangle)) extent = std::max(extent, geometry_->extent(partner));
+  return ray_offset(max_abs(sample.position), extent);
 }
 
 Ray World::segment(const SurfaceSample& from, const SurfaceSample& to) const {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "common/core/vec.h"
+#include "common/ray/coincident_faces.h"
 #include "common/ray/ray_backend.h"
 #include "common/ray/world_geometry.h"
 #include "common/scene/scene.h"
@@ -31,15 +32,20 @@ class World {
   /// The scene of `before` after an edit, with the same backend. Where no vertex and no triangle differs, as after edits of
   /// materials and lights, the two worlds share their geometry; each may outlive the other.
   World(Scene scene, const World& before);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   const Scene& scene() const { return scene_; }
   const WorldGeometry& geometry() const { return *geometry_; }
-  const RayBackend& rays() const { return geometry_->rays(); }
+  /// Where triangles coincide, hits are those of coincident().
+  const RayBackend& rays() const { return settled_rays_ ? *settled_rays_ : geometry_->rays(); }
+  const CoincidentFaces& coincident() const { return coincident_; }
 
   /// Unit front normal; zero for a degenerate triangle, which has area 0 and is never sampled.
   const Vec3& normal(std::uint32_t triangle) const { return geometry_->normal(triangle); }
-  float area(std::uint32_t triangle) const { return geometry_->area(triangle); }  ///< m², one side
-  double total_area() const { return geometry_->total_area(); }                   ///< m², one side of every triangle
+  /// m², one side; 0 of a triangle that is hidden by its twin.
+  float area(std::uint32_t triangle) const { return coincident_.is_hidden(triangle) ? 0.0F : geometry_->area(triangle); }
+  double total_area() const { return total_area_; }  ///< m², one side of every triangle
   Vec3 bounds_min() const { return geometry_->bounds_min(); }
   Vec3 bounds_max() const { return geometry_->bounds_max(); }
   float diagonal() const { return glm::length(bounds_max() - bounds_min()); }  ///< metres, of the bounding box
@@ -62,12 +68,16 @@ class World {
   Ray segment(const SurfaceSample& from, const SurfaceSample& to) const;
 
  private:
-  void build_geometry();
+  std::shared_ptr<const WorldGeometry> build_geometry() const;
+  void settle();
 
   Scene scene_;
   int threads_ = 0;
   MakeRayBackend make_rays_;
   std::shared_ptr<const WorldGeometry> geometry_;
+  CoincidentFaces coincident_;
+  std::unique_ptr<const RayBackend> settled_rays_;  ///< none where nothing coincides
+  double total_area_ = 0.0;
 };
 
 }  // namespace gibench

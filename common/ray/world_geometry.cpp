@@ -18,7 +18,8 @@ bool have_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 }  // namespace
 
-WorldGeometry::WorldGeometry(const Scene& scene, std::unique_ptr<const RayBackend> rays) : rays_(std::move(rays)) {
+WorldGeometry::WorldGeometry(const Scene& scene, std::unique_ptr<const RayBackend> rays, int threads)
+    : rays_(std::move(rays)), coplanar_(coplanar_pairs(scene.vertices, scene.triangles, threads)) {
   const std::size_t count = scene.triangles.size();
   normals_.resize(count);
   areas_.resize(count);

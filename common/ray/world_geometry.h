@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "common/core/vec.h"
+#include "common/ray/coplanar_pairs.h"
 #include "common/ray/ray_backend.h"
 #include "common/scene/scene.h"
 
@@ -15,14 +17,17 @@ namespace gibench {
 /// and lights are.
 class WorldGeometry {
  public:
-  WorldGeometry(const Scene& scene, std::unique_ptr<const RayBackend> rays);
+  /// `threads` look for coplanar triangles (0: all cores).
+  WorldGeometry(const Scene& scene, std::unique_ptr<const RayBackend> rays, int threads);
 
   const RayBackend& rays() const { return *rays_; }
   /// Unit front normal; zero for a degenerate triangle.
   const Vec3& normal(std::uint32_t triangle) const { return normals_[triangle]; }
+  std::span<const Vec3> normals() const { return normals_; }
   float area(std::uint32_t triangle) const { return areas_[triangle]; }      ///< m², one side
   float extent(std::uint32_t triangle) const { return extents_[triangle]; }  ///< metres, the largest of its edges' coordinates
   double total_area() const { return total_area_; }                          ///< m², one side of every triangle
+  std::span<const CoplanarPair> coplanar() const { return coplanar_; }
   const Vec3& bounds_min() const { return bounds_min_; }
   const Vec3& bounds_max() const { return bounds_max_; }
 
@@ -31,6 +36,7 @@ class WorldGeometry {
   std::vector<Vec3> normals_;
   std::vector<float> areas_, extents_;
   double total_area_ = 0.0;
+  std::vector<CoplanarPair> coplanar_;
   Vec3 bounds_min_{0.0F}, bounds_max_{0.0F};
 };
 

@@ -110,9 +110,9 @@ forbid 'methods/' '(bench|reports|tests|scenes)/' "methods know neither the prog
 forbid '(bench|reports)/' 'tests/' "the program knows no tests"
 forbid '(common|methods|bench|reports|scenes|tests)/' 'CLI/' "only bench/app sees the command line" 'bench/app/'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'embree' "only the Embree backend sees Embree" \
-  'common/ray/embree/embree_backend\.cpp|bench/micro/bare_embree\.cpp'
+  'common/ray/embree/|bench/micro/bare_embree\.cpp'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'common/ray/embree/' "rays go through the interface of the ray backends" \
-  'common/ray/embree/|common/ray/world\.cpp|tests/common/ray/'
+  'common/ray/embree/|common/ray/(world|coplanar_pairs)\.cpp|tests/common/ray/'
 forbid 'common/ray/embree/' 'common/ray/(ray_stream|world)' "a backend knows rays and triangles, not worlds"
 forbid '(common|methods|bench|reports|scenes|tests)/' '[a-z]mmintrin' "only common/core sees the processor's own instructions" 'common/core/'
 forbid '(common|methods|bench|reports|scenes|tests)/' 'assimp/' "only common/scene_io/assimp sees Assimp" \

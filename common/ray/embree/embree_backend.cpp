@@ -1,15 +1,11 @@
 #include "common/ray/embree/embree_backend.h"
 
 #include <embree3/rtcore.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
-#include <mutex>
-#include <string>
 
-#include "common/core/error.h"
+#include "common/ray/embree/embree_scene.h"
 
 namespace gibench {
 
@@ -44,71 +40,25 @@ void load_column(float (&column)[packet], std::span<const float> values, std::si
   std::fill(column + count, column + packet, column[count - 1]);
 }
 
-/// Embree's device and scene with its one geometry.
-struct Hierarchy {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  std::atomic<std::int64_t> bytes{0};
-  std::mutex error_mutex;
-  std::string error;  ///< the first that Embree reported
-
-  Hierarchy() = default;
-  Hierarchy(const Hierarchy&) = delete;
-  Hierarchy& operator=(const Hierarchy&) = delete;
-  ~Hierarchy() {
-    if (scene != nullptr) rtcReleaseScene(scene);
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
-
-  static bool count_memory(void* self, ssize_t bytes, bool) {
-    static_cast<Hierarchy*>(self)->bytes += bytes;
-    return true;
-  }
-
-  /// Embree calls this from inside its own code, through which nothing may be thrown.
-  static void keep_error(void* self, RTCError code, const char* text) {
-    Hierarchy& hierarchy = *static_cast<Hierarchy*>(self);
-    const std::lock_guard lock(hierarchy.error_mutex);
-    if (hierarchy.error.empty())
-      hierarchy.error = "Embree error " + std::to_string(static_cast<int>(code)) + ": " + (text != nullptr ? text : "");
-  }
-
-  void build(std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads) {
-    // A thread count given to the device would bind the whole process while the device lives: the arena below
-    // binds the building alone.
-    device = rtcNewDevice(nullptr);
-    if (device == nullptr) throw WorkError("Embree could not make a device");
-    rtcSetDeviceErrorFunction(device, keep_error, this);
-    rtcSetDeviceMemoryMonitorFunction(device, count_memory, this);
-    scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-    if (!triangles.empty()) attach(vertices, triangles);
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] { rtcJoinCommitScene(scene); });
-    if (!error.empty()) throw WorkError(error);
-  }
-
-  void attach(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* corners =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), vertices.size());
-    std::copy(vertices.begin(), vertices.end(), static_cast<Vec3*>(corners));
-    void* indices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), triangles.size());
-    std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-  }
-};
+/// The triangles, copied into Embree's buffers.
+RTCGeometry triangle_geometry(RTCDevice device, std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), vertices.size());
+  std::copy(vertices.begin(), vertices.end(), static_cast<Vec3*>(corners));
+  void* indices =
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), triangles.size());
+  std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
+  return geometry;
+}
 
 class EmbreeBackend final : public RayBackend {
  public:
   EmbreeBackend(std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads) {
-    hierarchy_.build(vertices, triangles, threads);
+    rtcSetSceneFlags(embree_.scene(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(embree_.scene(), RTC_BUILD_QUALITY_MEDIUM);
+    embree_.build(triangles.empty() ? nullptr : triangle_geometry(embree_.device(), vertices, triangles), threads);
   }
-  std::size_t bytes() const override { return static_cast<std::size_t>(std::max<std::int64_t>(0, hierarchy_.bytes.load())); }
+  std::size_t bytes() const override { return static_cast<std::size_t>(std::max<std::int64_t>(0, embree_.bytes())); }
 
  private:
   void do_closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const override;
@@ -117,7 +67,7 @@ class EmbreeBackend final : public RayBackend {
   Hit do_closest_hit(const Ray& ray) const override;
   bool do_occluded(const Ray& ray) const override;
 
-  Hierarchy hierarchy_;
+  EmbreeScene embree_;
 };
 
 Hit EmbreeBackend::do_closest_hit(const Ray& ray) const {
@@ -127,7 +77,7 @@ Hit EmbreeBackend::do_closest_hit(const Ray& ray) const {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(hierarchy_.scene, &context, &query);
+  rtcIntersect1(embree_.scene(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
 }
@@ -137,7 +87,7 @@ bool EmbreeBackend::do_occluded(const Ray& ray) const {
   load_ray(query, ray);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(hierarchy_.scene, &context, &query);
+  rtcOccluded1(embree_.scene(), &context, &query);
   return query.tfar < 0.0F;
 }
 
@@ -151,7 +101,7 @@ void EmbreeBackend::do_closest_hits(std::span<const Ray> rays, std::span<Hit> hi
     load_packet(query.ray, rays.subspan(first, count), valid);
     for (unsigned& id : query.hit.geomID) id = RTC_INVALID_GEOMETRY_ID;
     for (unsigned& id : query.hit.instID[0]) id = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect8(valid, hierarchy_.scene, &context, &query);
+    rtcIntersect8(valid, embree_.scene(), &context, &query);
     for (std::size_t i = 0; i < count; ++i) {
       const bool found = query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       hits[first + i] = found ? Hit{query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]} : Hit{};
@@ -182,7 +132,7 @@ void EmbreeBackend::do_fan_hits(const RayFan& fan, const FanHits& hits) const {
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       query.hit.primID[i] = Hit::none;  // left where nothing is met: the scene is one geometry
     }
-    rtcIntersect8(valid, hierarchy_.scene, &context, &query);
+    rtcIntersect8(valid, embree_.scene(), &context, &query);
     std::copy_n(query.hit.primID, count, hits.triangle.data() + first);
     std::copy_n(query.hit.u, count, hits.u.data() + first);
     std::copy_n(query.hit.v, count, hits.v.data() + first);
@@ -197,7 +147,7 @@ void EmbreeBackend::do_occlusions(std::span<const Ray> rays, std::span<std::uint
     alignas(32) RTCRay8 query;
     alignas(32) int valid[packet];
     load_packet(query, rays.subspan(first, count), valid);
-    rtcOccluded8(valid, hierarchy_.scene, &context, &query);
+    rtcOccluded8(valid, embree_.scene(), &context, &query);
     for (std::size_t i = 0; i < count; ++i) occluded[first + i] = query.tfar[i] < 0.0F ? 1 : 0;
   }
 }

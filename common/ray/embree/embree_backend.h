@@ -1,4 +1,4 @@
-/// The ray backend on Embree. embree_backend.cpp is the only file of the library that includes Embree.
+/// The ray backend on Embree, which only the files of this folder include.
 #pragma once
 
 #include <memory>

@@ -32,7 +32,7 @@ TEST_F(SharedGeometry, AMaterialEditKeepsTheTree) {
   scene.materials[0].diffuse = Rgb(0.25F);
   const World after(scene, *world);
   EXPECT_EQ(trees, 1);
-  EXPECT_EQ(&after.rays(), &world->rays());
+  EXPECT_EQ(&after.geometry().rays(), &world->geometry().rays());
   EXPECT_EQ(&after.geometry(), &world->geometry());
   EXPECT_EQ(after.scene().materials[0].diffuse, Rgb(0.25F));
   EXPECT_NE(world->scene().materials[0].diffuse, Rgb(0.25F)) << "what is edited is the new world alone";
@@ -102,7 +102,7 @@ TEST(WorldBackend, AnEditedWorldKeepsItsBackend) {
   Scene scene = world.scene();
   for (Vec3& vertex : scene.vertices) vertex *= 2.0F;
   const World after(scene, world);
-  EXPECT_NE(dynamic_cast<const test::BruteForceBackend*>(&after.rays()), nullptr);
+  EXPECT_NE(dynamic_cast<const test::BruteForceBackend*>(&after.geometry().rays()), nullptr);
 }
 
 }  // namespace
