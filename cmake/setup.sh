@@ -80,12 +80,33 @@ build_all() {
   cmake --build "$build" >&2 || stop "the build failed: the first error above says where"
 }
 
+# The cores and the memory of this machine, or of this container where its control group allows less.
+usable_cores() {
+  local cores quota period
+  cores=$(nproc)
+  if [ -r /sys/fs/cgroup/cpu.max ]; then
+    read -r quota period < /sys/fs/cgroup/cpu.max
+    if [ "$quota" != max ] && [ $((quota / period)) -lt "$cores" ]; then cores=$((quota / period)); fi
+  fi
+  echo "$cores"
+}
+
+usable_memory_mib() {
+  local memory limit
+  memory=$(awk '/^MemAvailable:/ {print int($2 / 1024)}' /proc/meminfo)
+  memory=${memory:-1024}
+  if [ -r /sys/fs/cgroup/memory.max ]; then
+    read -r limit < /sys/fs/cgroup/memory.max
+    if [ "$limit" != max ] && [ $((limit / 1048576)) -lt "$memory" ]; then memory=$((limit / 1048576)); fi
+  fi
+  echo "$memory"
+}
+
 # The cores, as far as memory goes round: a test takes up to a gigabyte.
 test_jobs() {
-  local cores memory_kib
-  cores=$(nproc)
-  memory_kib=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
-  local jobs=$((${memory_kib:-1048576} / 1048576))
+  local cores jobs
+  cores=$(usable_cores)
+  jobs=$(($(usable_memory_mib) / 1024))
   if [ "$jobs" -gt "$cores" ]; then jobs=$cores; fi
   if [ "$jobs" -lt 1 ]; then jobs=1; fi
   echo "$jobs"

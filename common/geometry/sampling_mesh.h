@@ -80,6 +80,9 @@ class SamplingMesh {
     return {front ? p.triangle : p.triangle + back_offset_[scene_triangle], {1.0F - p.second - p.third, p.second, p.third}};
   }
 
+  /// Starts to fetch what locate() will read of points of scene triangles.
+  void prefetch(std::span<const OuterPoint> points) const { lookup_.prefetch(points); }
+
   std::span<const VertexSite> sites(std::uint32_t vertex) const {
     return std::span(sites_).subspan(site_begin_[vertex], site_begin_[vertex + 1] - site_begin_[vertex]);
   }

@@ -1,7 +1,10 @@
 #include "common/geometry/subface_lookup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "common/core/prefetch.h"
 
 namespace gibench {
 
@@ -79,9 +82,31 @@ void SubfaceLookup::add(std::span<const Subface> subfaces) {
   cell_begin_.push_back(static_cast<std::uint32_t>(cell_entries_.size()));
 }
 
+std::uint32_t SubfaceLookup::cell_at(const Raster& raster, Vec2 barycentrics) {
+  return raster.first_cell + cell_of(barycentrics.y, raster.width) * raster.width + cell_of(barycentrics.x, raster.width);
+}
+
+/// A search reads a cell, its first entry's number and that entry: each for all points before the next.
+void SubfaceLookup::prefetch(std::span<const OuterPoint> points) const {
+  std::array<std::uint32_t, 64> cells;
+  for (std::size_t begin = 0; begin < points.size(); begin += cells.size()) {
+    std::size_t count = 0;
+    for (const OuterPoint& point : points.subspan(begin, std::min(cells.size(), points.size() - begin))) {
+      const Raster& raster = rasters_[point.outer];
+      if (raster.width == lattice || raster.width == 1) continue;
+      cells[count] = cell_at(raster, point.barycentrics);
+      gibench::prefetch(&cell_begin_[cells[count++]]);
+    }
+    for (std::size_t i = 0; i < count; ++i) gibench::prefetch(cell_entries_.data() + cell_begin_[cells[i]]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t first = cell_begin_[cells[i]];
+      if (first < cell_begin_[cells[i] + 1]) gibench::prefetch(&entries_[cell_entries_[first]]);
+    }
+  }
+}
+
 SubfacePoint SubfaceLookup::search(const Raster& raster, Vec2 barycentrics) const {
-  const std::uint32_t cell =
-      raster.first_cell + cell_of(barycentrics.y, raster.width) * raster.width + cell_of(barycentrics.x, raster.width);
+  const std::uint32_t cell = cell_at(raster, barycentrics);
   SubfacePoint best{};
   float best_inside = -1e30F;
   for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {

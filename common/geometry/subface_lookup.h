@@ -9,6 +9,12 @@
 
 namespace gibench {
 
+/// A point of an outer triangle.
+struct OuterPoint {
+  std::uint32_t outer;
+  Vec2 barycentrics;  ///< of its second and third corner
+};
+
 /// For every outer triangle the lattice that its smaller ones make, or a raster of its barycentrics, whose cells hold the
 /// smaller triangles that may reach into them.
 class SubfaceLookup {
@@ -24,6 +30,8 @@ class SubfaceLookup {
     if (raster.width == 1) return {entries_[raster.first_cell].triangle, barycentrics.x, barycentrics.y};
     return search(raster, barycentrics);
   }
+  /// Starts to fetch what find() will read of these points, which are covered: none of them waits for the memory of another.
+  void prefetch(std::span<const OuterPoint> points) const;
 
   std::size_t bytes() const;
 
@@ -44,6 +52,7 @@ class SubfaceLookup {
   /// Whether the triangle meets the cell, or nearly.
   static bool reaches(const Entry& entry, std::uint32_t x, std::uint32_t y, std::uint32_t width);
 
+  static std::uint32_t cell_at(const Raster& raster, Vec2 barycentrics);
   SubfacePoint search(const Raster& raster, Vec2 barycentrics) const;
 
   std::vector<Raster> rasters_;

@@ -53,11 +53,14 @@ class BinTransport {
   };
   void local_pass(const Vector& arriving, const LocalRule& rule, Task& task);
   void pull(Task& task);
+  /// Of the link's sender what gather() will read.
+  void prefetch_sent(std::size_t link) const;
   void gather(Task& task);
   void push(Task& task);
   void unoccluded(Vector& incident, Task& task);
 
   Light4* exitant(std::size_t node) { return exitant_.data() + node * bins_.count(); }
+  const Light4* exitant(std::size_t node) const { return exitant_.data() + node * bins_.count(); }
   Light4* incident(std::size_t node) { return incident_.data() + node * bins_.count(); }
 
   const Hierarchy& hierarchy_;

@@ -82,20 +82,26 @@ void VertexRays::trace(std::uint32_t vertex, RayStream& rays, const std::functio
   }
 }
 
-/// Two passes, each of whose memory accesses do not wait for one another: which mesh triangles, then what they hold.
+/// Passes, none of whose memory accesses waits for another of the same pass: which scene triangles are met, where in the mesh
+/// that is, then what its triangles hold.
 std::size_t VertexRays::meet(const DirectionBatch& batch, const Met& met, float ray_weight, RayStream& rays,
                              MeshHit* hits) const {
+  std::array<OuterPoint, batch_size> places;
   std::array<MeshPoint, batch_size> points;
   std::array<std::uint32_t, batch_size> ray;
+  std::array<std::uint8_t, batch_size> front;
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < batch.count; ++i) {
     const std::uint32_t triangle = met.triangle[i];
     if (triangle == Hit::none) continue;
-    const bool front = glm::dot(world_.normal(triangle), batch.direction(i)) < 0.0F;
-    if (!mesh_.covers(triangle, front)) continue;
-    points[count] = mesh_.locate(triangle, {met.u[i], met.v[i]}, front);
+    const bool on_front = glm::dot(world_.normal(triangle), batch.direction(i)) < 0.0F;
+    if (!mesh_.covers(triangle, on_front)) continue;
+    places[count] = {triangle, {met.u[i], met.v[i]}};
+    front[count] = on_front ? 1 : 0;
     ray[count++] = i;
   }
+  mesh_.prefetch({places.data(), count});
+  for (std::size_t i = 0; i < count; ++i) points[i] = mesh_.locate(places[i].outer, places[i].barycentrics, front[i] != 0);
   for (std::size_t i = 0; i < count; ++i) {
     const Corners& corners = corners_[points[i].triangle];
     if (corners.torn != 0) {

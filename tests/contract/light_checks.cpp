@@ -12,14 +12,15 @@ void verify_doubling_the_light_doubles_the_answer(const MethodEntry& entry) {
   const World world(plain_box());
   const Lighting lighting = Lighting::of(world.scene());
   const auto samples = samples_of(world);
+  const std::vector<Quantity> quantities = light_quantities(entry);
   Run run(entry, world);
-  run.prepare();
-  for (const Quantity quantity : light_quantities(entry)) {
-    const Answer base = run.light(lighting).shade(quantity, samples);
-    // 2⁻²⁰ is a light that is all but out: thresholds in watts would show.
-    for (const float factor : {2.0F, 0x1p-20F})
-      require_multiple(base, run.light(scaled(lighting, factor)).shade(quantity, samples), static_cast<double>(factor),
-                       fmt::format("{} under {} times the light", to_string(quantity), factor));
+  const std::vector<Answer> base = run.prepare().light(lighting).shade(quantities, samples);
+  // 2⁻²⁰ is a light that is all but out: thresholds in watts would show.
+  for (const float factor : {2.0F, 0x1p-20F}) {
+    const std::vector<Answer> multiple = run.light(scaled(lighting, factor)).shade(quantities, samples);
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      require_multiple(base[q], multiple[q], static_cast<double>(factor),
+                       fmt::format("{} under {} times the light", to_string(quantities[q]), factor));
   }
 }
 
@@ -42,14 +43,15 @@ void verify_two_lights_add(const MethodEntry& entry) {
 
 void verify_no_light_gives_black(const MethodEntry& entry) {
   const World dark(dark_box()), lit(plain_box());
-  for (const Quantity quantity : light_quantities(entry)) {
-    const Answer unlit = fresh_answer(entry, dark, quantity, samples_of(dark));
+  const std::vector<Quantity> quantities = light_quantities(entry);
+  for (const Answer& unlit : fresh_answers(entry, dark, quantities, samples_of(dark))) {
     require_black(unlit.direct, "direct light of a scene without lights");
     require_black(unlit.indirect, "indirect light of a scene without lights");
-    // Lights that are there but put out, after a plan that reckons with them.
-    Run run(entry, lit);
-    run.prepare().light();
-    const Answer out = run.light(scaled(Lighting::of(lit.scene()), 0.0F)).shade(quantity, samples_of(lit));
+  }
+  // Lights that are there but put out, after a plan that reckons with them.
+  Run run(entry, lit);
+  run.prepare().light();
+  for (const Answer& out : run.light(scaled(Lighting::of(lit.scene()), 0.0F)).shade(quantities, samples_of(lit))) {
     require_black(out.direct, "direct light once the lights are out");
     require_black(out.indirect, "indirect light once the lights are out");
   }

@@ -54,9 +54,20 @@ Answer Run::shade(Quantity quantity, const std::vector<SurfaceSample>& samples) 
   return answer;
 }
 
+std::vector<Answer> Run::shade(const std::vector<Quantity>& quantities, const std::vector<SurfaceSample>& samples) const {
+  std::vector<Answer> answers;
+  for (const Quantity quantity : quantities) answers.push_back(shade(quantity, samples));
+  return answers;
+}
+
 Answer fresh_answer(const MethodEntry& entry, const World& world, Quantity quantity, const std::vector<SurfaceSample>& samples,
                     const RunOptions& options) {
   return Run(entry, world, options).prepare().light().shade(quantity, samples);
+}
+
+std::vector<Answer> fresh_answers(const MethodEntry& entry, const World& world, const std::vector<Quantity>& quantities,
+                                  const std::vector<SurfaceSample>& samples, const RunOptions& options) {
+  return Run(entry, world, options).prepare().light().shade(quantities, samples);
 }
 
 std::vector<Quantity> light_quantities(const MethodSession& method) {

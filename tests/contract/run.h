@@ -46,6 +46,7 @@ class Run {
   /// Under the lights of the scene after the edit, which becomes the run's world.
   Run& edit(const SceneEdit& edit, const World& after);
   Answer shade(Quantity quantity, const std::vector<SurfaceSample>& samples) const;
+  std::vector<Answer> shade(const std::vector<Quantity>& quantities, const std::vector<SurfaceSample>& samples) const;
 
  private:
   const World* world_;
@@ -57,6 +58,9 @@ class Run {
 /// Prepares, lights and shades: what a program would do once.
 Answer fresh_answer(const MethodEntry& entry, const World& world, Quantity quantity, const std::vector<SurfaceSample>& samples,
                     const RunOptions& options = {});
+/// The same of one run that is asked several times.
+std::vector<Answer> fresh_answers(const MethodEntry& entry, const World& world, const std::vector<Quantity>& quantities,
+                                  const std::vector<SurfaceSample>& samples, const RunOptions& options = {});
 
 /// Irradiance and radiance, as far as they can be asked for.
 std::vector<Quantity> light_quantities(const MethodSession& method);

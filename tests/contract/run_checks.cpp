@@ -16,36 +16,6 @@ namespace {
 
 std::uint64_t rays_of(const Counters& counters) { return counters["closest_hit_rays"] + counters["occlusion_rays"]; }
 
-enum class Stage { prepare, light, shade };
-constexpr Stage stages[] = {Stage::prepare, Stage::light, Stage::shade};
-
-const char* to_string(Stage stage) { return stage == Stage::prepare ? "prepare" : stage == Stage::light ? "light" : "shade"; }
-
-/// A method at the start of a stage, everything before it done.
-class AtStage {
- public:
-  AtStage(const MethodEntry& entry, const World& world, Stage stage)
-      : run_(entry, world), samples_(samples_of(world)), quantity_(plainest_quantity(entry)), stage_(stage) {
-    if (stage != Stage::prepare) run_.prepare();
-    if (stage == Stage::shade) run_.light();
-  }
-
-  StageReport work(Task& task) {
-    if (stage_ == Stage::prepare) return run_.prepare(task);
-    if (stage_ == Stage::light) return run_.light(Lighting::of(run_.world().scene()), task);
-    Answer answer;
-    return run_.shade(quantity_, samples_, answer, task);
-  }
-  Run& run() { return run_; }
-  const std::vector<SurfaceSample>& samples() const { return samples_; }
-
- private:
-  Run run_;
-  std::vector<SurfaceSample> samples_;
-  Quantity quantity_;
-  Stage stage_;
-};
-
 struct Stop {
   std::shared_ptr<std::atomic<bool>> flag = std::make_shared<std::atomic<bool>>(false);
   std::uint64_t rays_before = 0;  ///< traced when the flag was set
@@ -66,38 +36,36 @@ void require_soon(const StageReport& report, std::uint64_t rays_before, std::uin
     throw Violation(fmt::format("{} traced {} more rays of {} that a full run takes", what, late, full_rays));
 }
 
-void verify_stage_stops(const MethodEntry& entry, const World& world, Stage stage) {
-  AtStage full(entry, world, stage), before(entry, world, stage), during(entry, world, stage);
-  Task whole = full.run().task();
-  const StageReport report = full.work(whole);
-  require_success(report, to_string(stage));
-  const std::uint64_t full_rays = rays_of(report.counters);
+/// A stage of a run, everything before it done.
+struct Stage {
+  const char* name;
+  std::function<StageReport(Task&)> work;
+};
 
-  Stop early;
+/// Cancelled twice and then let run: what it takes is known when it is done, and a stage that was stopped may come again.
+void verify_stage_stops(const Run& run, const Stage& stage) {
+  Stop early, amid;
   early.flag->store(true);
-  Task stopped(early.settings({}));
+  Task stopped(early.settings({})), midway(amid.settings({})), whole = run.task();
   early.task = &stopped;
-  require_soon(before.work(stopped), 0, full_rays, fmt::format("{}, cancelled before it began,", to_string(stage)));
-
-  if (report.history.empty()) return;  // it tells of no progress, from which it could be cancelled
-  Stop amid;
-  Task midway(amid.settings({}));
   amid.task = &midway;
-  const StageReport cut = during.work(midway);
-  require_soon(cut, amid.rays_before, full_rays, fmt::format("{}, cancelled at its first sign of progress,", to_string(stage)));
+  const StageReport none = stage.work(stopped), cut = stage.work(midway), full = stage.work(whole);
+  require_success(full, stage.name);
+  const std::uint64_t full_rays = rays_of(full.counters);
+  require_soon(none, 0, full_rays, fmt::format("{}, cancelled before it began,", stage.name));
+  if (full.history.empty()) return;  // it tells of no progress, from which it could be cancelled
+  require_soon(cut, amid.rays_before, full_rays, fmt::format("{}, cancelled at its first sign of progress,", stage.name));
 }
 
 /// A method that was stopped can be asked again, and answers as if nothing had been.
-void verify_stopping_leaves_no_trace(const MethodEntry& entry, const World& world) {
-  const auto samples = samples_of(world);
-  const Quantity quantity = plainest_quantity(entry);
-  Run stopped(entry, world), fresh(entry, world);
+void verify_stopping_leaves_no_trace(Run& stopped, const Answer& fresh, Quantity quantity,
+                                     const std::vector<SurfaceSample>& samples) {
   Stop early;
   early.flag->store(true);
   Task task(early.settings({}));
   early.task = &task;
-  stopped.prepare().light().prepare(task);
-  require_same_bits(fresh.prepare().light().shade(quantity, samples), stopped.prepare().light().shade(quantity, samples),
+  stopped.prepare(task);
+  require_same_bits(fresh, stopped.prepare().light().shade(quantity, samples),
                     "a fresh run against one that follows a cancelled one");
 }
 
@@ -106,17 +74,27 @@ void verify_stopping_leaves_no_trace(const MethodEntry& entry, const World& worl
 void verify_same_seed_same_bits(const MethodEntry& entry) {
   const World world(plain_box());
   const auto samples = samples_of(world);
-  for (const Quantity quantity : light_quantities(entry)) {
-    const Answer alone = fresh_answer(entry, world, quantity, samples, {.threads = 1});
-    require_same_bits(alone, fresh_answer(entry, world, quantity, samples, {.threads = 2}), "one thread against two");
-    require_same_bits(alone, fresh_answer(entry, world, quantity, samples, {.threads = 2}), "one thread against two again");
+  const std::vector<Quantity> quantities = light_quantities(entry);
+  const std::vector<Answer> alone = fresh_answers(entry, world, quantities, samples, {.threads = 1});
+  for (const char* what : {"one thread against two", "one thread against two again"}) {
+    const std::vector<Answer> two = fresh_answers(entry, world, quantities, samples, {.threads = 2});
+    for (std::size_t q = 0; q < quantities.size(); ++q) require_same_bits(alone[q], two[q], what);
   }
 }
 
 void verify_cancelling_stops_soon(const MethodEntry& entry) {
   const World world(plain_box());
-  for (const Stage stage : stages) verify_stage_stops(entry, world, stage);
-  verify_stopping_leaves_no_trace(entry, world);
+  const auto samples = samples_of(world);
+  const Quantity quantity = plainest_quantity(entry);
+  Run run(entry, world);
+  const Lighting lighting = Lighting::of(world.scene());
+  verify_stage_stops(run, {"prepare", [&](Task& task) { return run.prepare(task); }});
+  verify_stage_stops(run, {"light", [&](Task& task) { return run.light(lighting, task); }});
+  verify_stage_stops(run, {"shade", [&](Task& task) {
+                             Answer answer;
+                             return run.shade(quantity, samples, answer, task);
+                           }});
+  verify_stopping_leaves_no_trace(run, fresh_answer(entry, world, quantity, samples), quantity, samples);
 }
 
 }  // namespace gibench::contract

@@ -15,14 +15,29 @@ namespace gibench::contract {
 
 namespace {
 
-/// The plain box against itself moved, at the same points of its surfaces.
-void verify_unmoved_by(const MethodEntry& entry, float scale, const Vec3& axis, float degrees, const std::string& what) {
-  const World still(plain_box()), moved(test::transformed(plain_box(), scale, axis, degrees));
-  const auto samples = samples_of(still), moved_samples = carried_over(moved, samples);
-  for (const Quantity quantity : light_quantities(entry))
-    require_same_means(fresh_answer(entry, still, quantity, samples), fresh_answer(entry, moved, quantity, moved_samples),
-                       samples, fmt::format("{} {}", to_string(quantity), what));
-}
+/// The plain box, against itself moved at the same points of its surfaces.
+class StillBox {
+ public:
+  explicit StillBox(const MethodEntry& entry)
+      : entry_(entry),
+        quantities_(light_quantities(entry)),
+        samples_(samples_of(world_)),
+        answers_(fresh_answers(entry, world_, quantities_, samples_)) {}
+
+  void require_unmoved_by(float scale, const Vec3& axis, float degrees, const std::string& what) const {
+    const World moved(test::transformed(plain_box(), scale, axis, degrees));
+    const std::vector<Answer> answers = fresh_answers(entry_, moved, quantities_, carried_over(moved, samples_));
+    for (std::size_t q = 0; q < quantities_.size(); ++q)
+      require_same_means(answers_[q], answers[q], samples_, fmt::format("{} {}", to_string(quantities_[q]), what));
+  }
+
+ private:
+  const MethodEntry& entry_;
+  World world_{plain_box()};
+  std::vector<Quantity> quantities_;
+  std::vector<SurfaceSample> samples_;
+  std::vector<Answer> answers_;
+};
 
 /// Every value that can be asked for on both sides of every surface of an odd scene.
 void verify_odd_scene(const MethodEntry& entry, const OddScene& odd) {
@@ -76,24 +91,27 @@ void verify_variances(const MethodEntry& entry) {
 }  // namespace
 
 void verify_scale_invariance(const MethodEntry& entry) {
-  verify_unmoved_by(entry, 1e-3F, {0.0F, 1.0F, 0.0F}, 0.0F, "in a room of a millimetre");
-  verify_unmoved_by(entry, 1e3F, {0.0F, 1.0F, 0.0F}, 0.0F, "in a room of a kilometre");
+  const StillBox box(entry);
+  box.require_unmoved_by(1e-3F, {0.0F, 1.0F, 0.0F}, 0.0F, "in a room of a millimetre");
+  box.require_unmoved_by(1e3F, {0.0F, 1.0F, 0.0F}, 0.0F, "in a room of a kilometre");
 }
 
 void verify_rotation_invariance(const MethodEntry& entry) {
-  verify_unmoved_by(entry, 1.0F, {1.0F, 2.0F, 3.0F}, 77.0F, "in a room that was turned");
+  StillBox(entry).require_unmoved_by(1.0F, {1.0F, 2.0F, 3.0F}, 77.0F, "in a room that was turned");
 }
 
 void verify_black_walls_give_no_indirect_light(const MethodEntry& entry) {
   const World world(black_box());
   const auto samples = samples_of(world);
-  for (const Quantity quantity : light_quantities(entry)) {
-    const Answer answer = fresh_answer(entry, world, quantity, samples);
-    require_black(answer.indirect, fmt::format("indirect {} between black walls", to_string(quantity)));
-    // The plan spares the method the question: put to it all the same.
-    const Answer own = fresh_answer(entry, world, quantity, samples, {.forced = {Effect::diffuse_indirect}});
-    require_black(own.indirect, fmt::format("indirect {} between black walls, asked for", to_string(quantity)));
-    if (quantity == Quantity::irradiance && is_black(mean_of(answer.direct)))
+  const std::vector<Quantity> quantities = light_quantities(entry);
+  const std::vector<Answer> answers = fresh_answers(entry, world, quantities, samples);
+  // The plan spares the method the question: put to it all the same.
+  const std::vector<Answer> own = fresh_answers(entry, world, quantities, samples, {.forced = {Effect::diffuse_indirect}});
+  for (std::size_t q = 0; q < quantities.size(); ++q) {
+    const std::string what = fmt::format("indirect {} between black walls", to_string(quantities[q]));
+    require_black(answers[q].indirect, what);
+    require_black(own[q].indirect, what + ", asked for");
+    if (quantities[q] == Quantity::irradiance && is_black(mean_of(answers[q].direct)))
       throw Violation("direct irradiance is black although the lights are on");
   }
 }

@@ -4,6 +4,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/files.sh"
 
 all_files=$(own_files)
 own_files() { printf '%s\n' "$all_files"; }  # looked up once
+all_includes=$(source_files | xargs -r grep -nE '^[[:space:]]*#[[:space:]]*include\b' /dev/null || true)  # FILE:LINE:DIRECTIVE
+all_links=$(own_files | grep -E '(^|/)CMakeLists\.txt$' | xargs -r grep -nE 'gibench_' /dev/null || true)  # FILE:LINE:LIBRARIES
 
 longest=400  # lines
 # The folders of common/ from the ground to the roof: each includes only itself and those before it.
@@ -28,15 +30,15 @@ check_headers() {
 # forbid WHERE PATTERN WHY [EXCEPT]: no source file under WHERE includes a path that matches.
 forbid() {
   local found
-  found=$(source_files | grep -E "^($1)" | grep -vE "^(${4:-$})" |
-    xargs -r grep -nE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" || true)
+  found=$(grep -E "^($1)[^:]*:[0-9]+:[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" <<< "$all_includes" || true)
+  if [ -n "${4:-}" ]; then found=$(grep -vE "^($4)" <<< "$found" || true); fi
   if [ -n "$found" ]; then fault "$found"$'\n'"  $3"; fi
 }
 
 # sees WHERE ALLOWED WHY: what a source file under WHERE includes of the project matches ALLOWED.
 sees() {
   local found
-  found=$(source_files | grep -E "^$1/" | xargs -r grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"[a-z]+/' /dev/null |
+  found=$(grep -E "^$1/[^:]*:[0-9]+:[[:space:]]*#[[:space:]]*include[[:space:]]*\"[a-z]+/" <<< "$all_includes" |
     grep -vE "include[[:space:]]*\"($2)" || true)
   if [ -n "$found" ]; then fault "$found"$'\n'"  $3"; fi
 }
@@ -44,31 +46,29 @@ sees() {
 # links WHERE FORBIDDEN WHY: no CMakeLists.txt under WHERE names a library gibench_… that matches.
 links() {
   local found
-  found=$(own_files | grep -E "^$1/(.*/)?CMakeLists\.txt$" | xargs -r grep -nE "gibench_($2)\b" /dev/null || true)
+  found=$(grep -E "^$1/.*gibench_($2)\b" <<< "$all_links" || true)
   if [ -n "$found" ]; then fault "$found"$'\n'"  $3"; fi
 }
 
 check_methods() {
-  local folder name
+  local folder other
   for folder in methods/*/; do
-    name=$(basename "$folder")
     for other in methods/*/; do
-      other=$(basename "$other")
-      if [ "$other" != "$name" ]; then forbid "methods/$name/" "methods/$other/" "a method includes no other method"; fi
+      if [ "$other" != "$folder" ]; then forbid "$folder" "$other" "a method includes no other method"; fi
     done
   done
 }
 
 check_common() {
-  local folder i later
+  local folder i later IFS='|'
   for folder in common/*/; do
-    folder=$(basename "$folder")
-    if [[ " ${common_order[*]} " != *" $folder "* ]]; then
+    folder=${folder#common/} folder=${folder%/}
+    if [[ "|${common_order[*]}|" != *"|$folder|"* ]]; then
       fault "common/$folder: has no place in the order of common/ (common_order in tests/style/structure.sh, CONTRIBUTING.md)"
     fi
   done
   for ((i = 0; i + 1 < ${#common_order[@]}; ++i)); do
-    later=$(IFS='|' && echo "${common_order[*]:i+1}")
+    later=${common_order[*]:i+1}
     forbid "common/${common_order[i]}/" "common/($later)/" "common/${common_order[i]} stands below what it includes"
   done
 }

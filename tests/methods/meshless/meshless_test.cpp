@@ -35,12 +35,12 @@ class Solved {
   }
 
   std::vector<Rgb> irradiance(const std::vector<SurfaceSample>& samples, Component component = Component::indirect) {
-    std::vector<Rgb> direct(samples.size()), indirect(samples.size());
+    std::vector<Rgb> direct(component == Component::indirect ? 0 : samples.size()),
+        indirect(component == Component::direct ? 0 : samples.size());
     const StageReport report = method_->shade({Quantity::irradiance, samples, {}}, {direct, indirect, {}, {}, {}}, task_);
     EXPECT_TRUE(succeeded(report.termination)) << report.message;
     if (component == Component::direct) return direct;
-    if (component == Component::total)
-      for (std::size_t i = 0; i < samples.size(); ++i) indirect[i] += direct[i];
+    for (std::size_t i = 0; i < direct.size(); ++i) indirect[i] += direct[i];
     return indirect;
   }
   Rgb at(const Vec3& point, const Vec3& normal) { return irradiance({sample(point, normal)})[0]; }

@@ -38,6 +38,7 @@ after(async () => {
 // A page of the report; `problems` collects console errors, exceptions, failed files and requests that leave the disk.
 async function open({ width = 1280, hash = "" } = {}) {
   const page = await browser.newPage({ viewport: { width, height: 900 } });
+  page.setDefaultTimeout(300000);  // other tests run beside this one: what is waited for comes, however long it takes
   const problems = [];
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
   page.on("pageerror", (error) => problems.push(error.message));
