@@ -58,8 +58,15 @@ Reference make_whole(const ReferenceOptions& options, const LoadedScene& scene, 
   const FileLock lock = lock_of(store, scene.scene(), question);
   Reference reference = store.find(scene.scene(), question).value_or(Reference{question, 0, 0.0, {}, {}});
   if (reference.samples_per_replica > 0) check_replicas(reference, options.replicas, store.folder_of(scene.scene(), question));
-  extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
-                   [&](const Reference& state) { store.save(scene.scene(), state); });
+  try {
+    extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
+                     [&](const Reference& state) { store.save(scene.scene(), state); });
+  } catch (const WorkError&) {
+    if (!cancellation()->load() || reference.samples_per_replica == 0) throw;
+    throw WorkError(
+        fmt::format("cancelled; the {} paths per value and replicate made so far are kept in {}; the same command does the rest",
+                    reference.samples_per_replica, store.folder_of(scene.scene(), question).string()));
+  }
   return reference;
 }
 
