@@ -5,7 +5,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/scene_search.h"
 #include "bench/record/run_record.h"
@@ -119,11 +121,13 @@ ExitStatus list_all(const std::vector<Json>& list, bool json) {
 
 void add_list(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "list", "Lists methods and their parameters, scenes, effects or metrics");
+  verb->group(verb_group::looking);
+  set_pages(*verb, {"docs/choosing-a-method.md", "scenes/README.md"});
   const auto options = std::make_shared<ListOptions>();
-  verb->add_option("what", options->what, "methods, scenes, effects or metrics")
-      ->check(CLI::IsMember({"methods", "scenes", "effects", "metrics"}))
+  take_one_of(verb->add_option("what", options->what, "Of what the names are listed"),
+              {"methods", "scenes", "effects", "metrics"})
       ->capture_default_str();
-  verb->add_option("name", options->name, "Only this one, in full");
+  verb->add_option("name", options->name, "Only this one, in full")->type_name(value_kind::listed);
   verb->callback([&call, options] {
     call.action = [&call, options] {
       const std::vector<Json> list = entries(options->what);
