@@ -36,6 +36,7 @@ void add_study(CLI::App& app, Call& call);
 void add_report(CLI::App& app, Call& call);
 
 void add_help(CLI::App& app, Call& call);
+void add_completion(CLI::App& app, Call& call);
 
 /// The titles under which the help lists verbs.
 namespace verb_group {
