@@ -9,6 +9,9 @@ set(report_files render.mjs package.json package-lock.json)
 
 file(MAKE_DIRECTORY ${GIBENCH_DATA_FOLDER}/reports)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/scenes ${GIBENCH_DATA_FOLDER}/scenes COPY_ON_ERROR SYMBOLIC)
+# `gibench help` says where the pages lie.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/doc/gibench)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs ${CMAKE_BINARY_DIR}/share/doc/gibench/docs COPY_ON_ERROR SYMBOLIC)
 foreach(folder page plots)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/reports/${folder} ${GIBENCH_DATA_FOLDER}/reports/${folder} COPY_ON_ERROR SYMBOLIC)
 endforeach()

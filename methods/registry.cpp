@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/core/error.h"
+#include "common/core/names.h"
 #include "methods/antiradiance/antiradiance.h"
 #include "methods/meshless/meshless.h"
 #include "methods/pathtracer/pathtracer.h"
@@ -23,12 +24,12 @@ std::span<const MethodEntry> all_methods() {
 }
 
 const MethodEntry& find_method(std::string_view name, const std::string& place) {
-  std::string known;
+  std::vector<std::string> names;
   for (const MethodEntry& entry : all_methods()) {
     if (entry.name == name) return entry;
-    known += (known.empty() ? "" : ", ") + entry.name;
+    names.push_back(entry.name);
   }
-  throw InputError(place, fmt::format("unknown method '{}'", name), "known: " + known);
+  throw InputError(place, fmt::format("unknown method '{}'", name), known_names("known", name, names));
 }
 
 }  // namespace gibench

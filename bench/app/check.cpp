@@ -5,8 +5,10 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/options.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/loaded_scene.h"
 #include "bench/measure/run_method.h"
@@ -158,10 +160,14 @@ ExitStatus check(const CheckOptions& options, const CommonOptions& common) {
 
 void add_check(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "check", "Validates a scene: geometry, the effects it calls for, every method's plan");
+  verb->group(verb_group::looking);
+  set_pages(*verb, {"docs/own-scene.md", "docs/choosing-a-method.md"});
   const auto options = std::make_shared<CheckOptions>();
-  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
-  verb->add_option("--method", options->method, "Only this method's plan");
-  verb->add_option("--set", options->settings, "A parameter of that method, name=value; may be given again")->take_all();
+  add_scene_argument(*verb, options->scene);
+  verb->add_option("--method", options->method, "Only this method's plan")->type_name(value_kind::method);
+  verb->add_option("--set", options->settings, "A parameter of that method, name=value; may be given again")
+      ->type_name(value_kind::setting)
+      ->take_all();
   add_bounces_option(*verb, options->bounces);
   add_plan_options(*verb, options->plan);
   verb->callback([&call, options] { call.action = [&call, options] { return check(*options, call.common); }; });

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "common/core/error.h"
 #include "common/metrics/compare_images.h"
@@ -80,9 +82,13 @@ ExitStatus compare(const CompareOptions& options, bool json) {
 
 void add_compare(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "compare", "Computes every image metric of two EXR, HDR, PNG or JPEG files");
+  verb->group(verb_group::measuring);
+  set_pages(*verb, {"docs/reading-errors.md"});
   const auto options = std::make_shared<CompareOptions>();
-  verb->add_option("reference", options->reference, "The picture that is taken as correct")->required();
-  verb->add_option("test", options->test, "The picture that is compared with it")->required();
+  verb->add_option("reference", options->reference, "The picture that is taken as correct")
+      ->type_name(value_kind::file)
+      ->required();
+  verb->add_option("test", options->test, "The picture that is compared with it")->type_name(value_kind::file)->required();
   verb->add_option("--pixels-per-degree", options->pixels_per_degree, "Resolution of the display, as FLIP's observer sees it")
       ->check(CLI::Range(1.0F, 1000.0F))
       ->capture_default_str();

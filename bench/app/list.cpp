@@ -5,11 +5,14 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/scene_search.h"
 #include "bench/record/run_record.h"
 #include "common/core/error.h"
+#include "common/core/names.h"
 #include "common/core/overloaded.h"
 #include "common/effects/effect_plan.h"
 #include "common/method/method_session.h"
@@ -60,7 +63,7 @@ std::vector<Json> entries(const std::string& what) {
   if (what == "methods")
     for (const MethodEntry& entry : all_methods()) list.push_back(method_json(entry));
   else if (what == "scenes")
-    for (const KnownScene& scene : known_scenes()) list.push_back({{"name", scene.name}, {"file", scene.file.string()}});
+    for (const KnownFile& scene : known_scenes()) list.push_back({{"name", scene.name}, {"file", scene.file.string()}});
   else if (what == "effects")
     for (const Effect effect : all_effects()) list.push_back({{"name", to_string(effect)}, {"meaning", meaning_of(effect)}});
   else
@@ -93,17 +96,16 @@ void print_entry(const Json& entry) {
 }
 
 ExitStatus list_one(const std::vector<Json>& list, const ListOptions& options, bool json) {
-  std::string known;
+  std::vector<std::string> names;
   for (const Json& entry : list) {
-    const auto name = entry["name"].get<std::string>();
-    if (name == options.name) {
+    names.push_back(entry["name"].get<std::string>());
+    if (names.back() == options.name) {
       if (json) print_json(entry);
       else print_entry(entry);
       return ExitStatus::done;
     }
-    known += (known.empty() ? "" : ", ") + name;
   }
-  throw InputError("list " + options.what, "there is no '" + options.name + "'", "known: " + known);
+  throw InputError("list " + options.what, "there is no '" + options.name + "'", known_names("known", options.name, names));
 }
 
 ExitStatus list_all(const std::vector<Json>& list, bool json) {
@@ -119,11 +121,13 @@ ExitStatus list_all(const std::vector<Json>& list, bool json) {
 
 void add_list(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "list", "Lists methods and their parameters, scenes, effects or metrics");
+  verb->group(verb_group::looking);
+  set_pages(*verb, {"docs/choosing-a-method.md", "scenes/README.md"});
   const auto options = std::make_shared<ListOptions>();
-  verb->add_option("what", options->what, "methods, scenes, effects or metrics")
-      ->check(CLI::IsMember({"methods", "scenes", "effects", "metrics"}))
+  take_one_of(verb->add_option("what", options->what, "Of what the names are listed"),
+              {"methods", "scenes", "effects", "metrics"})
       ->capture_default_str();
-  verb->add_option("name", options->name, "Only this one, in full");
+  verb->add_option("name", options->name, "Only this one, in full")->type_name(value_kind::listed);
   verb->callback([&call, options] {
     call.action = [&call, options] {
       const std::vector<Json> list = entries(options->what);

@@ -7,12 +7,14 @@
 #include <new>
 #include <string>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/child_guard.h"
 #include "bench/app/exit_status.h"
 #include "bench/app/signals.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/run_method.h"
 #include "bench/record/machine.h"
+#include "common/core/did_you_mean.h"
 #include "common/core/error.h"
 #include "common/core/find_file.h"
 
@@ -34,11 +36,21 @@ std::string called_verb(const CLI::App& app) {
   return verbs.empty() ? "gibench" : "gibench " + verbs.front()->get_name();
 }
 
-/// CLI11 would say of an unknown verb only that one is required.
-bool is_verb(const CLI::App& app, const std::string& word) {
-  const auto verbs = app.get_subcommands([&](const CLI::App* verb) { return verb->check_name(word); });
-  return !verbs.empty();
+/// The option of the verb that is near to one that it does not take, if the parse failed for that.
+std::string near_option(const CLI::App& app, const CallTree& tree) {
+  const auto verbs = app.get_subcommands();
+  const CallVerb* verb = verbs.empty() ? nullptr : tree.find(verbs.front()->get_name());
+  if (!verb) return {};
+  std::vector<std::string> names;
+  for (const CallOption& option : verb->options)
+    if (!option.is_argument()) names.push_back(option.names.back());
+  for (const std::string& word : app.remaining(true))
+    if (word.starts_with("--"))
+      if (const std::string near = did_you_mean(word.substr(0, word.find('=')), names); !near.empty()) return near;
+  return {};
 }
+
+int wrong_call(const std::string& text) { return failed(ExitStatus::bad_input, ErrorCode::bad_input, text); }
 
 int run_program(int argc, char** argv) {
   CLI::App app("Compares light-transport methods on the same scenes: how much accuracy does a second buy?", "gibench");
@@ -47,14 +59,15 @@ int run_program(int argc, char** argv) {
   Call call;
   add_verbs(app, call);
   try {
-    if (argc > 1 && argv[1][0] != '-' && !is_verb(app, argv[1]))
-      return failed(ExitStatus::bad_input, ErrorCode::bad_input, fmt::format("unknown verb '{}'; see gibench --help", argv[1]));
+    // CLI11 would say of an unknown verb only that one is required.
+    if (const CallTree tree = call_tree(app); argc > 1 && argv[1][0] != '-' && !tree.find(argv[1]))
+      return wrong_call(
+          fmt::format("unknown verb '{}'; {}see gibench --help", argv[1], did_you_mean(argv[1], tree.verb_names())));
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return failed(ExitStatus::bad_input, ErrorCode::bad_input,
-                  std::string(error.what()) + "; see " + called_verb(app) + " --help");
+    return wrong_call(fmt::format("{}; {}see {} --help", error.what(), near_option(app, call_tree(app)), called_verb(app)));
   }
   return static_cast<int>(call.action());
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "bench/app/value_kinds.h"
 #include "bench/measure/measuring_fields.h"
 #include "common/core/error.h"
 
@@ -42,6 +43,19 @@ CLI::Option* add_field(CLI::App& verb, const MeasuringField& field, MeasuringOpt
 
 }  // namespace
 
+void add_scene_argument(CLI::App& verb, std::string& scene) {
+  verb.add_option("scene", scene, "Scene file, model file or the name of a known scene")
+      ->type_name(value_kind::scene)
+      ->required();
+}
+
+void add_method_options(CLI::App& verb, std::string& method, std::vector<std::string>& settings) {
+  verb.add_option("--method", method, "Method; see gibench list methods")->type_name(value_kind::method)->required();
+  verb.add_option("--set", settings, "A parameter of the method, name=value; may be given again")
+      ->type_name(value_kind::setting)
+      ->take_all();
+}
+
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {
   for (const MeasuringField& field : measuring_fields()) {
     if (*field.key == '\0') continue;
@@ -59,6 +73,7 @@ void add_bounces_option(CLI::App& verb, std::optional<int>& bounces) {
 void add_plan_options(CLI::App& verb, PlanOptions& options) {
   verb.add_option("--effects", options.effects,
                   "Effects that may be simulated, commas between; see gibench list effects. none: nothing; without it: all")
+      ->type_name(value_kind::effects)
       ->take_last();
   verb.add_option("--tolerance", options.tolerance,
                   "Share of the light that bounces left out of the plan may hold; 0: none is left out")

@@ -10,6 +10,10 @@ class App;
 
 namespace gibench {
 
+/// The scene, which every verb that has one names first.
+void add_scene_argument(CLI::App& verb, std::string& scene);
+/// --method and --set
+void add_method_options(CLI::App& verb, std::string& method, std::vector<std::string>& settings);
 /// --surface-samples, --pixel-samples, --camera, --width, --no-pictures, --bounces
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options);
 /// --bounces alone

@@ -5,8 +5,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/options.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
 #include "bench/measure/run_method.h"
@@ -114,12 +116,13 @@ ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
 
 void add_query(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "query", "Computes the light at given points of a scene by one method");
+  verb->group(verb_group::computing);
+  set_pages(*verb, {"docs/queries.md"});
   const auto options = std::make_shared<QueryOptions>();
-  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
-  verb->add_option("--method", options->method, "Method; see gibench list methods")->required();
-  verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
-  verb->add_option("--points", options->points, "JSON file of queries")->required();
-  verb->add_option("--out", options->out, "JSON file for the answers; without it they go to stdout");
+  add_scene_argument(*verb, options->scene);
+  add_method_options(*verb, options->method, options->settings);
+  verb->add_option("--points", options->points, "JSON file of queries")->type_name(value_kind::file)->required();
+  verb->add_option("--out", options->out, "JSON file for the answers; without it they go to stdout")->type_name(value_kind::file);
   add_bounces_option(*verb, options->bounces);
   add_plan_options(*verb, options->plan);
   add_light_paths_option(*verb, options->plan.light_paths);

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/options.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
 #include "bench/measure/plan_options.h"
@@ -58,8 +60,15 @@ Reference make_whole(const ReferenceOptions& options, const LoadedScene& scene, 
   const FileLock lock = lock_of(store, scene.scene(), question);
   Reference reference = store.find(scene.scene(), question).value_or(Reference{question, 0, 0.0, {}, {}});
   if (reference.samples_per_replica > 0) check_replicas(reference, options.replicas, store.folder_of(scene.scene(), question));
-  extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
-                   [&](const Reference& state) { store.save(scene.scene(), state); });
+  try {
+    extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
+                     [&](const Reference& state) { store.save(scene.scene(), state); });
+  } catch (const WorkError&) {
+    if (!cancellation()->load() || reference.samples_per_replica == 0) throw;
+    throw WorkError(
+        fmt::format("cancelled; the {} paths per value and replicate made so far are kept in {}; the same command does the rest",
+                    reference.samples_per_replica, store.folder_of(scene.scene(), question).string()));
+  }
   return reference;
 }
 
@@ -153,8 +162,10 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
 
 void add_reference(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "reference", "Makes, extends or merges the stored reference of a scene");
+  verb->group(verb_group::measuring);
+  set_pages(*verb, {"docs/own-scene.md", "docs/reading-errors.md"});
   const auto options = std::make_shared<ReferenceOptions>();
-  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
+  add_scene_argument(*verb, options->scene);
   verb->add_option("--target-error", options->target_error, "Relative standard error of the indirect light at which to stop")
       ->check(CLI::Range(1e-6, 10.0));
   verb->add_option(
@@ -164,10 +175,13 @@ void add_reference(CLI::App& app, Call& call) {
   verb->add_option("--replicas", options->replicas, "Independent replicates")->check(CLI::Range(2, 1024))->capture_default_str();
   add_measuring_options(*verb, options->measuring);
   add_light_paths_option(*verb, options->measuring.light_paths);
-  verb->add_option("--references", options->store, "Folder of the reference store")->capture_default_str();
+  verb->add_option("--references", options->store, "Folder of the reference store")
+      ->type_name(value_kind::folder)
+      ->capture_default_str();
   verb->add_option("--shard", options->shard, "i/n: make only the replicates r with r mod n = i; the last one merges")
       ->capture_default_str();
-  verb->add_option("--out", options->out, "Also write reference.exr and reference.json into this folder");
+  verb->add_option("--out", options->out, "Also write reference.exr and reference.json into this folder")
+      ->type_name(value_kind::folder);
   verb->add_flag("--force", options->force, "Replace an older --out");
   verb->callback([&call, options] { call.action = [&call, options] { return reference(*options, call.common); }; });
 }

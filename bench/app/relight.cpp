@@ -5,8 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/options.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
 #include "bench/measure/light_path.h"
@@ -177,11 +179,14 @@ ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
 
 void add_relight(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "relight", "Moves lights and switches materials: time and error of each relit frame");
+  verb->group(verb_group::computing);
+  set_pages(*verb, {"scenes/README.md", "docs/files.md"});
   const auto options = std::make_shared<RelightOptions>();
-  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
-  verb->add_option("--method", options->method, "Method that relights; see gibench list methods")->required();
-  verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
-  verb->add_option("--lights", options->path, "JSON file of the moving lights; see scenes/README.md")->required();
+  add_scene_argument(*verb, options->scene);
+  add_method_options(*verb, options->method, options->settings);
+  verb->add_option("--lights", options->path, "JSON file of the moving lights; see scenes/README.md")
+      ->type_name(value_kind::file)
+      ->required();
   verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
   verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which a frame's irradiance is asked")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
@@ -194,7 +199,7 @@ void add_relight(CLI::App& app, Call& call) {
                    "Paths per value in each of the eight path-traced replicates that a frame is compared with; 0: no errors")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20))
       ->capture_default_str();
-  verb->add_option("--out", options->out, "JSON file for the frames; with --json they go to stdout");
+  verb->add_option("--out", options->out, "JSON file for the frames; with --json they go to stdout")->type_name(value_kind::file);
   add_bounces_option(*verb, options->bounces);
   verb->callback([&call, options] { call.action = [&call, options] { return relight(*options, call.common); }; });
 }

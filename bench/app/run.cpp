@@ -4,8 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/options.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
 #include "bench/measure/result_files.h"
@@ -175,10 +177,11 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
 
 void add_run(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "run", "Runs one method on one scene: its answers, their cost and their errors");
+  verb->group(verb_group::computing);
+  set_pages(*verb, {"docs/own-scene.md", "docs/files.md"});
   const auto options = std::make_shared<RunOptions>();
-  verb->add_option("scene", options->scene, "Scene file, model file or the name of a known scene")->required();
-  verb->add_option("--method", options->method, "Method; see gibench list methods")->required();
-  verb->add_option("--set", options->settings, "A parameter of the method, name=value; may be given again")->take_all();
+  add_scene_argument(*verb, options->scene);
+  add_method_options(*verb, options->method, options->settings);
   add_measuring_options(*verb, options->measuring);
   add_plan_options(*verb, options->plan);
   add_light_paths_option(*verb, options->plan.light_paths);
@@ -191,10 +194,14 @@ void add_run(CLI::App& app, Call& call) {
   verb->add_option("--reference", options->reference,
                    "auto: errors against a stored reference where there is one; none: no errors; or the folder of the store that "
                    "must have it")
+      ->type_name("auto|none|FOLDER")
       ->capture_default_str();
-  verb->add_option("--references", options->store, "Folder of the reference store for --reference auto")->capture_default_str();
+  verb->add_option("--references", options->store, "Folder of the reference store for --reference auto")
+      ->type_name(value_kind::folder)
+      ->capture_default_str();
   verb->add_option("--out", options->out,
-                   "Folder for result.json, image.exr, previews and log.txt; without it nothing is written");
+                   "Folder for result.json, image.exr, previews and log.txt; without it nothing is written")
+      ->type_name(value_kind::folder);
   verb->add_flag("--force", options->force, "Replace an older result in --out");
   verb->callback([&call, options] { call.action = [&call, options] { return run(*options, call.common); }; });
 }

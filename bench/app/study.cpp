@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/app/call_tree.h"
 #include "bench/app/print_json.h"
+#include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/scene_search.h"
 #include "bench/study/file_lock.h"
@@ -78,9 +80,13 @@ ExitStatus study(StudyOptions options, const CommonOptions& common) {
 
 void add_study(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "study", "Runs scenes x methods x parameter sweeps into a folder; resumes by itself");
+  verb->group(verb_group::measuring);
+  set_pages(*verb, {"docs/own-scene.md", "docs/files.md", "scenes/README.md"});
   const auto options = std::make_shared<StudyOptions>();
-  verb->add_option("study", options->study, "Study file, or the name of one that comes with the program")->required();
-  verb->add_option("--out", options->settings.out, "Folder for the results");
+  verb->add_option("study", options->study, "Study file, or the name of one that comes with the program")
+      ->type_name(value_kind::study)
+      ->required();
+  verb->add_option("--out", options->settings.out, "Folder for the results")->type_name(value_kind::folder);
   verb->add_flag("--dry-run", options->dry_run, "Only list the runs");
   verb->add_flag("--force", options->settings.force, "Redo what is finished");
   verb->add_option("--jobs", options->settings.jobs, "Runs at a time; more than 1 disturbs the timings")

@@ -17,6 +17,8 @@ void add_verbs(CLI::App& app, Call& call) {
   add_compare(app, call);
   add_study(app, call);
   add_report(app, call);
+  add_help(app, call);
+  add_completion(app, call);
 }
 
 CLI::App* add_verb(CLI::App& app, Call& call, const char* name, const char* summary) {

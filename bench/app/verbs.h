@@ -35,6 +35,17 @@ void add_compare(CLI::App& app, Call& call);
 void add_study(CLI::App& app, Call& call);
 void add_report(CLI::App& app, Call& call);
 
+void add_help(CLI::App& app, Call& call);
+void add_completion(CLI::App& app, Call& call);
+
+/// The titles under which the help lists verbs.
+namespace verb_group {
+inline constexpr const char* looking = "Looking around";
+inline constexpr const char* computing = "Computing light";
+inline constexpr const char* measuring = "Measuring errors";
+inline constexpr const char* program = "About the program";
+}  // namespace verb_group
+
 /// A verb with the common options.
 CLI::App* add_verb(CLI::App& app, Call& call, const char* name, const char* summary);
 

@@ -16,10 +16,8 @@ std::filesystem::path existing_scene(const std::string& name) {
   try {
     return find_file(find_scene(name), ".", name);
   } catch (const MissingFileError&) {
-    std::vector<std::string> names;
-    for (const KnownScene& scene : known_scenes()) names.push_back(scene.name);
     throw MissingFileError(name, "there is no file or scene of this name, here or under a folder of GIBENCH_PATH",
-                           known_names("scenes", name, names));
+                           known_names("scenes", name, names_of(known_scenes())));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <system_error>
 
 #include "common/core/data_folder.h"
+#include "common/core/error.h"
+#include "common/core/names.h"
 
 namespace gibench {
 
@@ -12,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* extension = ".scene.json";
+constexpr const char* study_extension = ".study.json";
 
 bool is_file(const fs::path& path) {
   std::error_code ignored;
@@ -19,21 +22,33 @@ bool is_file(const fs::path& path) {
 }
 
 std::vector<fs::path> scene_folders() { return {data_folder() / "scenes", data_folder() / "generated_scenes"}; }
+fs::path study_folder() { return data_folder() / "scenes" / "studies"; }
 
-}  // namespace
-
-std::vector<KnownScene> known_scenes() {
-  std::vector<KnownScene> scenes;
-  for (const fs::path& folder : scene_folders()) {
+/// The files NAME + `ending` of these folders, by name.
+std::vector<KnownFile> files_in(const std::vector<fs::path>& folders, const std::string& ending) {
+  std::vector<KnownFile> files;
+  for (const fs::path& folder : folders) {
     std::error_code absent;
     for (const auto& entry : fs::directory_iterator(folder, absent)) {
       const std::string name = entry.path().filename().string();
-      if (name.ends_with(extension) && is_file(entry.path()))
-        scenes.push_back({name.substr(0, name.size() - std::string(extension).size()), entry.path()});
+      if (name.ends_with(ending) && is_file(entry.path()))
+        files.push_back({name.substr(0, name.size() - ending.size()), entry.path()});
     }
   }
-  std::sort(scenes.begin(), scenes.end(), [](const KnownScene& a, const KnownScene& b) { return a.name < b.name; });
-  return scenes;
+  std::sort(files.begin(), files.end(), [](const KnownFile& a, const KnownFile& b) { return a.name < b.name; });
+  return files;
+}
+
+}  // namespace
+
+std::vector<KnownFile> known_scenes() { return files_in(scene_folders(), extension); }
+
+std::vector<KnownFile> known_studies() { return files_in({study_folder()}, study_extension); }
+
+std::vector<std::string> names_of(const std::vector<KnownFile>& files) {
+  std::vector<std::string> names;
+  for (const KnownFile& file : files) names.push_back(file.name);
+  return names;
 }
 
 fs::path find_scene(const std::string& name, const fs::path& beside) {
@@ -47,8 +62,11 @@ fs::path find_scene(const std::string& name, const fs::path& beside) {
 }
 
 fs::path find_study(const std::string& name) {
-  const fs::path known = data_folder() / "scenes" / "studies" / (name + ".study.json");
-  return !is_file(name) && !fs::path(name).is_absolute() && is_file(known) ? known : fs::path(name);
+  std::error_code ignored;
+  if (fs::exists(name, ignored)) return name;
+  const fs::path known = study_folder() / (name + study_extension);
+  if (!fs::path(name).is_absolute() && is_file(known)) return known;
+  throw InputError(name, "there is no study file of this name", known_names("studies", name, names_of(known_studies())));
 }
 
 }  // namespace gibench

@@ -116,9 +116,24 @@ void StudyRunner::run() {
     run_stages();
   } catch (const WorkError&) {
     if (!cancellation()->load()) throw;
-    throw WorkError(fmt::format("cancelled; {} finished runs are kept in {}, and the same command does the rest",
-                                finished_.load(), folders_.root.string()));
+    throw WorkError("cancelled; " + describe_kept());
   }
+}
+
+std::string StudyRunner::describe_kept() const {
+  const std::string folder = folders_.root.string();
+  if (due_ == 0)  // not all keys of runs are known before the references stand
+    return fmt::format(
+        "runs in {} that were finished before are kept, and references as far as they were made; the same command "
+        "does the rest",
+        folder);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (is_due(i) && is_kept(runs_[i].id, key_of(runs_[i]))) ++kept;
+  for (std::size_t i = 0; i < relights_.size(); ++i)
+    if (is_due(runs_.size() + i) && is_kept(relights_[i].id, key_of(relights_[i]))) ++kept;
+  return fmt::format("finished runs kept in {}: {} of {}; the same command{} does the rest", folder, kept, due_,
+                     settings_.force ? " without --force" : "");
 }
 
 void StudyRunner::run_stages() {
@@ -199,13 +214,18 @@ bool StudyRunner::is_own(std::size_t place) const {
   return place % static_cast<std::size_t>(settings_.shard.of) == static_cast<std::size_t>(settings_.shard.index);
 }
 
+bool StudyRunner::is_due(std::size_t place) const {
+  const std::size_t scene =
+      place < runs_.size() ? runs_[place].scene : study_.relights[relights_[place - runs_.size()].relight].scene;
+  return is_own(place) && !scenes_[scene].skipped;
+}
+
 void StudyRunner::run_all() {
   std::vector<std::function<void()>> own;
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (is_own(i) && !scenes_[runs_[i].scene].skipped) own.emplace_back([this, i] { run_one(runs_[i]); });
+    if (is_due(i)) own.emplace_back([this, i] { run_one(runs_[i]); });
   for (std::size_t i = 0; i < relights_.size(); ++i)
-    if (is_own(runs_.size() + i) && !scenes_[study_.relights[relights_[i].relight].scene].skipped)
-      own.emplace_back([this, i] { relight_one(relights_[i]); });
+    if (is_due(runs_.size() + i)) own.emplace_back([this, i] { relight_one(relights_[i]); });
   due_ = own.size();
   for_each_job(settings_.jobs, own.size(), [&](std::size_t i) { own[i](); });
   progress_->hide();

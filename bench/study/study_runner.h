@@ -69,6 +69,9 @@ class StudyRunner {
   void record(const std::string& id, const ChildResult& child, const std::string& key, const std::filesystem::path& made);
   bool is_kept(const std::string& id, const std::string& key) const;
   bool is_own(std::size_t place) const;  ///< of this shard
+  bool is_due(std::size_t place) const;  ///< of this shard, on a scene that is there
+  /// For the user who stopped the study: what is there already, and how to get the rest.
+  std::string describe_kept() const;
   std::string key_of(const PlannedRun& run) const;
   std::string key_of(const PlannedRelight& relight) const;
   nlohmann::ordered_json scene_entry(std::size_t scene) const;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "common/core/error.h"
+#include "common/core/names.h"
 
 namespace gibench {
 
@@ -47,15 +48,23 @@ const EffectSet& scene_properties() {
   return properties;
 }
 
+namespace {
+
+std::string known_effects(const std::string& unknown) {
+  std::vector<std::string> names;
+  for (const Effect effect : all_effects()) names.emplace_back(to_string(effect));
+  return known_names("known", unknown, names);
+}
+
+}  // namespace
+
 EffectSet effects_of_names(const std::vector<std::string>& names, const std::string& place) {
   EffectSet effects;
   for (const std::string& name : names) {
     bool known = false;
     for (const Effect effect : all_effects())
       if (name == to_string(effect)) effects.insert(effect), known = true;
-    if (!known)
-      throw InputError(place, fmt::format("unknown effect '{}'", name),
-                       "known: " + names_of(EffectSet(all_effects().begin(), all_effects().end())));
+    if (!known) throw InputError(place, fmt::format("unknown effect '{}'", name), known_effects(name));
   }
   return effects;
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "common/core/did_you_mean.h"
 #include "common/core/error.h"
 #include "common/core/overloaded.h"
 
@@ -40,10 +41,10 @@ struct Parse {
   bool in_range(double number) const { return std::isfinite(number) && number >= spec.minimum && number <= spec.maximum; }
 };
 
-std::string known_names(const ParameterSchema& schema) {
+std::string known_parameters(const ParameterSchema& schema, const std::string& unknown) {
   std::vector<std::string> names;
   for (const ParameterSpec& spec : schema) names.push_back(spec.name);
-  return names.empty() ? "it has none" : fmt::format("known: {}", fmt::join(names, ", "));
+  return names.empty() ? "it has none" : fmt::format("{}known: {}", did_you_mean(unknown, names), fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -55,7 +56,8 @@ Parameters::Parameters(const ParameterSchema& schema, const std::vector<std::pai
     const auto& name = setting.first;
     const auto& text = setting.second;
     const auto spec = std::find_if(schema.begin(), schema.end(), [&](const ParameterSpec& s) { return s.name == name; });
-    if (spec == schema.end()) throw InputError(place, fmt::format("unknown parameter '{}'", name), known_names(schema));
+    if (spec == schema.end())
+      throw InputError(place, fmt::format("unknown parameter '{}'", name), known_parameters(schema, name));
     if (!std::visit(Parse{*spec, text}, values_[name]))
       throw InputError(place, fmt::format("{}={} is not valid", name, text), "write a " + describe_type(*spec));
   }

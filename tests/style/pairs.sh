@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/files.sh"
 # Sources without a header of their name: tests, programs, verbs and parts that one header of their folder lists.
 unpaired_sources='_test\.cpp$|(^|/)main\.cpp$|^tests/contract/[a-z]+_checks\.cpp$|^scenes/generators/make_scenes\.cpp$'
 unpaired_sources+='|^common/image/plugin/openimageio\.cpp$|^bench/micro/'
-unpaired_sources+='|^bench/app/(check|compare|list|query|reference|relight|report|run|study)\.cpp$'
+unpaired_sources+='|^bench/app/(check|compare|completion|help|list|query|reference|relight|report|run|study)\.cpp$'
 unpaired_sources+='|^bench/study/(study_manifest|study_references)\.cpp$'
 unpaired_sources+='|^methods/antiradiance/[a-z_]+_strategy\.cpp$'
 unpaired_sources+='|^reports/collect/(collect_relight|collect_result)\.cpp$'

@@ -83,6 +83,8 @@ std::filesystem::path Workshop::write(const std::string& name, const std::string
 
 std::string Workshop::read(const std::string& name) const { return text_of(folder_ / name); }
 
+bool is_installed(const std::string& command) { return std::system(("command -v " + command + " >/dev/null 2>&1").c_str()) == 0; }
+
 Json room_scene(double albedo) {
   return {{"gibench_scene", 1},
           {"name", "room"},

@@ -41,6 +41,9 @@ class Workshop {
   ScratchFolder folder_;
 };
 
+/// Whether a command of this name is there on this machine.
+bool is_installed(const std::string& command);
+
 /// A unit room of white walls, lamp under the ceiling, camera of 8 × 8 pixels.
 nlohmann::ordered_json room_scene(double albedo = 0.5);
 /// The inside of a cube whose every face emits radiance 1 and reflects `albedo`: radiance 1 / (1 − albedo) everywhere.

@@ -76,6 +76,16 @@ TEST(Reference, IsWrittenAsPicturesWhereAskedFor) {
   EXPECT_EQ(shop.read_json("shown/reference.json")["resolution"], (std::vector<int>{8, 8}));
 }
 
+TEST(Reference, InterruptedItSaysWhatIsKept) {
+  const Workshop shop;
+  const Outcome outcome =
+      shop.gibench(reference_of("room.scene.json", {"--samples", "1000000"}),
+                   "(while ! ls references/*/meta.json >/dev/null 2>&1; do sleep 0.05; done; kill -INT $$) &");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.error, testing::MatchesRegex("gibench: cancelled; the [0-9]+ paths per value and replicate made so far are "
+                                                   "kept in references/[0-9a-f]+; the same command does the rest\n"));
+}
+
 TEST(Reference, WrongCallsAreTold) {
   const Workshop shop;
   expect_bad_input(shop.gibench(reference_of("room.scene.json", {"--shard", "3/3"})), {"--shard", "3/3", "0 <= i < n"});

@@ -204,9 +204,35 @@ TEST(Study, InterruptedItStopsItsRunAndSaysSo) {
       study(shop, json, {},
             "(while [ ! -e out/runs/room.pathtracer-samples=1/run.json ]; do sleep 0.05; done; sleep 0.4; kill -INT $$) &");
   EXPECT_EQ(outcome.status, 4);
-  EXPECT_THAT(outcome.error, HasSubstr("cancelled; 1 finished runs are kept in"));
+  EXPECT_THAT(outcome.error, HasSubstr("cancelled; finished runs kept in out: 1 of 2; the same command does the rest"));
   EXPECT_FALSE(shop.has("out/runs/room.pathtracer-samples=50000000"));
   EXPECT_EQ(run_of(shop.read_json("out/manifest.json"), "room.pathtracer-samples=1")["status"], "done");
+}
+
+TEST(Study, InterruptedAgainItCountsTheRunsOfBefore) {
+  const Workshop shop;
+  Json json = small_study({1, 2, 50000000});
+  json.erase("reference");
+  const std::string interrupt =
+      "(while [ ! -e out/runs/room.pathtracer-samples=50000000.new.partial ]; do sleep 0.05; done; kill -INT $$) &";
+  const std::string kept = "cancelled; finished runs kept in out: 2 of 3; the same command does the rest";
+  EXPECT_THAT(study(shop, json, {}, interrupt).error, HasSubstr(kept));
+  const std::string first = shop.read("out/runs/room.pathtracer-samples=1/run.json");
+  EXPECT_THAT(study(shop, json, {}, interrupt).error, HasSubstr(kept));
+  EXPECT_EQ(shop.read("out/runs/room.pathtracer-samples=1/run.json"), first);
+}
+
+TEST(Study, InterruptedAtItsReferenceItSaysWhatIsKept) {
+  const Workshop shop;
+  Json json = small_study();
+  json["reference"] = {{"samples", 1000000}};
+  const Outcome outcome = study(shop, json, {}, "(while [ ! -e out/references/store ]; do sleep 0.05; done; kill -INT $$) &");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.error, HasSubstr("cancelled; runs in out that were finished before are kept, and references"));
+}
+
+TEST(Study, ANameThatIsNearIsSuggested) {
+  expect_bad_input(Workshop().gibench({"study", "quikc", "--dry-run"}), {"quikc", "did you mean \"quick\"?", "studies:", "full"});
 }
 
 TEST(Study, WrongStudiesAreToldBeforeAnythingRuns) {
