@@ -1,4 +1,4 @@
-/// What a method may simulate, as it is asked for.
+/// The options of a plan of effects: what a method may simulate, as the user asks for it.
 #pragma once
 
 #include <optional>

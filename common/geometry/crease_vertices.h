@@ -18,7 +18,7 @@ struct CreaseVertices {
 };
 
 /// Corners at one point are the same vertex where their faces are joined by edges across which the normals turn by no more
-/// than `crease_degrees`. `normals`: unit, one a face. Half-edges by OpenMesh: a face that would make an edge or a
+/// than `crease_degrees`. `normals`: unit, one per face. Half-edges by OpenMesh: a face that would make an edge or a
 /// vertex non-manifold, or that is turned round against its neighbours, stands alone, with vertices of its own.
 CreaseVertices crease_vertices(std::size_t points, std::span<const Face> faces, std::span<const Vec3> normals,
                                float crease_degrees);

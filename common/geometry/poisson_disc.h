@@ -70,7 +70,7 @@ class PoissonDisc {
   std::uint64_t proposals_ = 0;
 };
 
-/// Every side that light can leave of the objects for which `wanted` is not 0 (one entry an object).
+/// Every side that light can leave of the objects for which `wanted` is not 0 (one entry per object).
 std::vector<SurfaceSide> lit_sides(const World& world, std::span<const std::uint8_t> wanted);
 
 }  // namespace gibench

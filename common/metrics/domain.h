@@ -1,4 +1,4 @@
-/// Where errors are taken.
+/// The domains of errors: where they are taken.
 #pragma once
 
 #include <array>

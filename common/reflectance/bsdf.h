@@ -59,7 +59,7 @@ class SurfaceBsdf {
 
  private:
   float specular_share(const Vec3& out, Lobes lobes) const;
-  // Of the lobe besides the diffuse one; a mirror's is none that can be evaluated.
+  // Of the lobe beside the diffuse one; a mirror's cannot be evaluated.
   float lobe_strength(const Vec3& out) const;
   BsdfValue lobe_value(const Vec3& out, const Vec3& in) const;
   Vec3 lobe_sample(const Vec3& out, Vec2 u) const;

@@ -1,4 +1,4 @@
-/// What is known of every kind of light without sampling it. A kind that does not say does not compile.
+/// The facts of every kind of light that need no sampling. A kind without them does not compile.
 #pragma once
 
 #include <array>

@@ -23,6 +23,8 @@ check_headers() {
   if [ -n "$found" ]; then fault "$found"$'\n'"  a header starts with #pragma once"; fi
   found=$(source_files | grep '\.h$' | xargs -r awk 'FNR == 1 && !/^\/\/\// { print FILENAME }')
   if [ -n "$found" ]; then fault "$found"$'\n'"  a header's first line says what it holds (/// ...)"; fi
+  found=$(source_files | grep '\.h$' | xargs -r awk 'FNR == 1 && /^\/\/\/ (What|Which|How|Where|Whether|Why|When|Who)[ ,:]/ { print FILENAME ": " $0 }')
+  if [ -n "$found" ]; then fault "$found"$'\n'"  a header's first line names what it holds: 'The end of a run', not 'How a run ended'"; fi
 }
 
 # forbid WHERE PATTERN WHY [EXCEPT]: no source file under WHERE includes a path that matches.
