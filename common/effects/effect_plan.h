@@ -43,6 +43,7 @@ struct PlanLimits {
   EffectSet forced;                  ///< simulated even where the scene does not call for it
 };
 
+/// An effect that a method does not simulate on a scene, and the reason.
 struct SkippedEffect {
   Effect effect;
   std::string why;

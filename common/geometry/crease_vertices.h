@@ -11,6 +11,7 @@
 
 namespace gibench {
 
+/// The vertices after splitting, by the corners of the faces.
 struct CreaseVertices {
   std::vector<std::array<std::uint32_t, 4>> of_face;  ///< the vertex at each corner; a triangle repeats its third
   std::vector<std::uint32_t> point;                   ///< of every vertex

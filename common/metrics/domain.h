@@ -5,6 +5,7 @@
 
 namespace gibench {
 
+/// The surface samples, or the pixels of a camera.
 enum class Domain {
   image,    ///< radiance in the camera's image, W/(m² sr)
   surface,  ///< irradiance at the surface samples, W/m²

@@ -11,6 +11,7 @@
 
 namespace gibench {
 
+/// The facts of one kind.
 struct LightKind {
   const char* name;  ///< as scene files write it and records count it
   bool at_infinity;  ///< outside every scene: it gives a closed one nothing
