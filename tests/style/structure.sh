@@ -66,7 +66,7 @@ check_common() {
   for folder in common/*/; do
     folder=$(basename "$folder")
     if [[ " ${common_order[*]} " != *" $folder "* ]]; then
-      fault "common/$folder: has no place in the order of common/ (common_order in tests/style/structure.sh, CONTRIBUTING.md)"
+      fault "common/$folder: has no place in the order of common/ (common_order in tests/style/structure.sh, docs/architecture.md)"
     fi
   done
   for ((i = 0; i + 1 < ${#common_order[@]}; ++i)); do
