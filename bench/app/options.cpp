@@ -58,7 +58,7 @@ void add_bounces_option(CLI::App& verb, std::optional<int>& bounces) {
 
 void add_plan_options(CLI::App& verb, PlanOptions& options) {
   verb.add_option("--effects", options.effects,
-                  "Effects that may be simulated, commas between; see gibench list effects. none: nothing; without it: all")
+                  "Effects that may be simulated, separated by commas (see gibench list effects), or none; without it: all")
       ->take_last();
   verb.add_option("--tolerance", options.tolerance,
                   "Share of the light that bounces left out of the plan may hold; 0: none is left out")

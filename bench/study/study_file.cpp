@@ -190,7 +190,7 @@ Study read_study(const fs::path& file) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     study.scenes.push_back(scene_at(scenes[i], top["scenes"][i], file.parent_path()));
     if (!names.insert(study.scenes.back().name).second)
-      throw InputError(top["scenes"][i].text(), "a scene of this name stands there already", "remove one or rename its file");
+      throw InputError(top["scenes"][i].text(), "a scene of this name is already in the list", "remove one or rename its file");
   }
   const json& methods = (*value)["methods"];
   for (std::size_t i = 0; i < methods.size(); ++i)

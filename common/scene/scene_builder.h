@@ -18,7 +18,7 @@ struct ObjectGeometry {
   void append(const ObjectGeometry& other);
 };
 
-/// Used once a scene: objects first, then finish_geometry(), then everything that needs to_local().
+/// Used once per scene: objects first, then finish_geometry(), then everything that needs to_local().
 class SceneBuilder {
  public:
   explicit SceneBuilder(Scene& scene) : scene_(scene) {}
