@@ -1,4 +1,4 @@
-/// Puts a scene's geometry together in double precision and recentres it.
+/// A builder of a scene's geometry, in double precision, recentred at the end.
 #pragma once
 
 #include <cstdint>

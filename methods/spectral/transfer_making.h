@@ -1,4 +1,4 @@
-/// Makes mesh, basis and transfer matrices.
+/// The making of mesh, basis and transfer matrices.
 #pragma once
 
 #include <string>

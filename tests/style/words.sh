@@ -20,8 +20,9 @@ forbid '^[[:space:]]*//[^/].*[=(].*;[[:space:]]*$' "code in a comment" '\.(md|js
 
 # Plain English.
 counted='marks?|bars?|rows?|files?|lines?|entry|entries|one|each|rays|paths|samples|bytes|kB|MB|values?|points?|numbers?'
+counted+='|bits'
 for_each='link|vertex|row|scene|pixel|sample|element|column|channel|slot|replicate|verb|face|node|cell|triangle|method|run|metric'
-for_each+='|material|object|light|camera|frame|level|bin|chunk|thread|query'
+for_each+='|material|object|light|camera|frame|level|bin|chunk|thread|query|coordinate'
 forbid "\b($counted) an? ($for_each)\b" "'per': one value per sample"
 forbid '([^r]e|[^e[:space:]]|^) (is|are|was|were) no (text|number|record|picture|file|JSON|error|fault|expression|study|scene|name)\b' "'is not a'" '^docs/glossary\.md$'
 forbid '\bthat (is|are) none\b|\bwhere it is none\b' "'unknown', or what it is not"

@@ -1,4 +1,4 @@
-/// Calls the built program as a user would, and writes the small files that it is called with.
+/// The built program, called as a user would, and the small files that it is called with.
 #pragma once
 
 #include <filesystem>
