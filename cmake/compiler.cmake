@@ -20,7 +20,7 @@ if(NOT GIBENCH_COMPILER_HAS_CXX20)
           "or later and name it with CXX=g++ or -DCMAKE_CXX_COMPILER=g++ (in a new build folder)")
 endif()
 
-# The name of a check becomes a macro of the compiled test: x86-64-v3 is none.
+# The name of a check becomes a macro of the compiled test: x86-64-v3 is not an identifier.
 string(MAKE_C_IDENTIFIER "${GIBENCH_ARCHITECTURE}" architecture)
 if(GIBENCH_ARCHITECTURE)
   set(CMAKE_REQUIRED_FLAGS -march=${GIBENCH_ARCHITECTURE})

@@ -28,5 +28,5 @@ list(TRANSFORM report_files PREPEND reports/)
 install(FILES ${report_files} DESTINATION ${data}/reports)
 install(DIRECTORY ${GIBENCH_DATA_FOLDER}/reports/node_modules DESTINATION ${data}/reports OPTIONAL
         PATTERN "playwright-core" EXCLUDE)  # only the tests use a browser
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "Doxyfile" EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -8,7 +8,7 @@ namespace gibench {
 /// In a child of a study: ends this process with SIGKILL when the study ends. Elsewhere nothing.
 void die_with_parent_study();
 
-/// In a child of a study: tells the study why this process ends without a result. Elsewhere nothing.
+/// In a child of a study: reports to the study why this process ends without a result. Elsewhere nothing.
 void tell_parent(const ErrorRecord& error);
 
 }  // namespace gibench

@@ -72,7 +72,7 @@ void add_bounces_option(CLI::App& verb, std::optional<int>& bounces) {
 
 void add_plan_options(CLI::App& verb, PlanOptions& options) {
   verb.add_option("--effects", options.effects,
-                  "Effects that may be simulated, commas between; see gibench list effects. none: nothing; without it: all")
+                  "Effects that may be simulated, separated by commas (see gibench list effects), or none; without it: all")
       ->type_name(value_kind::effects)
       ->take_last();
   verb.add_option("--tolerance", options.tolerance,

@@ -1,4 +1,4 @@
-/// SIGINT and SIGTERM ask the work to stop; a second one ends the program at once.
+/// The signals of the program: SIGINT and SIGTERM ask the work to stop; a second one ends the program at once.
 #pragma once
 
 namespace gibench {

@@ -1,4 +1,4 @@
-/// Whether the user asked to stop: work ends then, nothing half written.
+/// The user's request to stop: work then ends, and nothing is left half written.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-/// What a method may simulate, as it is asked for.
+/// The options of a plan of effects: what a method may simulate, as the user asks for it.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace gibench {
 
 /// As given on the command line or in a study.
 struct PlanOptions {
-  std::string effects;      ///< names with commas between; "none"; empty: all
+  std::string effects;      ///< names separated by commas; "none"; empty: all
   double tolerance = 0.0;   ///< share of the light that bounces left out may hold; 0: none is left out
   std::string light_paths;  ///< an expression; empty: all paths
 

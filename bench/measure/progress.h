@@ -1,4 +1,4 @@
-/// How far work is, for whoever shows it: the program shows it on a terminal.
+/// The progress of work, for whoever shows it: the program shows it on a terminal.
 #pragma once
 
 #include <functional>

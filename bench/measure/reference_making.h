@@ -12,7 +12,7 @@
 
 namespace gibench {
 
-/// The method whose answers are the reference, and its parameters that say which samples a replicate takes.
+/// The method whose answers are the reference, and its parameters that say which samples each replicate takes.
 struct ReferenceMethod {
   static constexpr const char* name = "pathtracer";
   static constexpr const char* samples = "samples";            ///< how many

@@ -1,4 +1,4 @@
-/// What all work takes: its seed, its threads, and who is shown how far it is.
+/// The options of all work: its seed, its threads, and where its progress is shown.
 #pragma once
 
 #include <cstdint>

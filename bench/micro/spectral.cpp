@@ -39,7 +39,7 @@ spectral::Settings settings(const Settings& chosen) { return settings_from(Param
 
 double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Rays, basis and rounding of a coarse mesh with the paper's 16 384 rays a vertex, beside Embree alone on as many rays of the
+/// Rays, basis and rounding of a coarse mesh with the paper's 16 384 rays per vertex, beside Embree alone on as many rays of the
 /// same kind: as many from each point, in no order.
 void precomputation(benchmark::State& state) {
   const auto threads = static_cast<int>(state.range(0));
@@ -59,7 +59,7 @@ void precomputation(benchmark::State& state) {
 }
 BENCHMARK(precomputation)->Arg(1)->Arg(2)->ArgName("threads")->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(2);
 
-/// The rows alone, of some of the window room's vertices at the mesh and basis of full size, rays a vertex as given.
+/// The rows alone, of some of the window room's vertices at the mesh and basis of full size, rays per vertex as given.
 void transfer_rows(benchmark::State& state) {
   constexpr std::size_t blocks = 12, block_rows = 8;  // next to one another in a block, as the precomputation takes them
   const auto rays = static_cast<int>(state.range(0)), threads = static_cast<int>(state.range(1));
@@ -100,7 +100,7 @@ TransferWish wish_of(const World& world) {
   return wish;
 }
 
-/// The indirect light of the window room under its sky, all bounces, one value a slot.
+/// The indirect light of the window room under its sky, all bounces, one value per slot.
 std::vector<Rgb4> relit_room(const World& world, const Transfer& transfer, Task& task) {
   const DirectLight light(world, Lighting::of(world.scene()));
   const std::vector<Rgb4> direct = direct_irradiance(world, transfer, light, settings({{"direct_samples", "64"}}), task);
@@ -122,7 +122,7 @@ double squared_error(const std::vector<Rgb4>& x, const std::vector<Rgb4>& a, con
 
 /// What compression leaves of the matrix, and what it adds to the error of the room's indirect light, all bounces (root mean
 /// square over vertices; in quadrature), beside the error that the rays alone make and the seconds on all threads that the whole
-/// of mesh, basis and compressed matrix takes. Arguments: thousandths that it may add, rays a vertex.
+/// of mesh, basis and compressed matrix takes. Arguments: thousandths that it may add, rays per vertex.
 void compression(benchmark::State& state) {
   const World world(window_room());
   const std::string rays = std::to_string(state.range(1)), error = std::to_string(1e-3 * static_cast<double>(state.range(0)));
@@ -196,7 +196,7 @@ void count_room(benchmark::State& state, const Room& room) {
   state.counters["matrix_bytes"] = static_cast<double>(room.matrix().bytes());
 }
 
-/// Project, bounce three times, reconstruct at all vertices. `bytes_per_second`: matrix and basis, read once a bounce.
+/// Project, bounce three times, reconstruct at all vertices. `bytes_per_second`: matrix and basis, read once per bounce.
 void relit_frame(benchmark::State& state) {
   const Room& made = room(state.range(0));
   Task task({.seed = 1, .threads = static_cast<int>(state.range(1)), .cancel = {}, .on_progress = {}});

@@ -1,5 +1,4 @@
-/// Why a process of the program ended without its result, told to the process
-/// that started it.
+/// The reason why a process of the program ended without its result, reported to the process that started it.
 #pragma once
 
 #include <array>
@@ -26,13 +25,11 @@ struct ErrorRecord {
   std::string message;  ///< one line
 };
 
-/// Name of the environment variable with the file in which a process that was
-/// started by another tells its error.
+/// Name of the environment variable with the file in which a process that was started by another reports its error.
 inline constexpr const char* error_file_variable = "GIBENCH_ERROR_FILE";
 
 void write_error_record(const std::filesystem::path& file, const ErrorRecord& record);
-/// Empty where the file is absent or damaged: the process ended before it could
-/// tell.
+/// Empty where the file is absent or damaged: the process ended before it could report it.
 std::optional<ErrorRecord> read_error_record(const std::filesystem::path& file);
 
 }  // namespace gibench

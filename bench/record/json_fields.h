@@ -49,13 +49,11 @@ auto known_name(const All& all, const std::string& name) {
   return *found;
 }
 
-/// The JSON in a file. Throws InputError that names the file where it cannot be
-/// read or is no JSON.
+/// The JSON in a file. Throws InputError that names the file where it cannot be read or is not JSON.
 Json read_json_file(const std::filesystem::path& file);
 
-/// read(JSON of the file); what it throws about a shape that does not fit
-/// becomes an InputError about `file`, which is then no `what` ("a run
-/// record").
+/// read(JSON of the file); what it throws about a shape that does not fit becomes an InputError about `file`: it is not
+/// `what` ("a run record").
 template <class Read>
 auto read_record(const std::filesystem::path& file, const std::string& what, const Read& read) {
   const Json json = read_json_file(file);

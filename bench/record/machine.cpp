@@ -13,8 +13,7 @@ namespace gibench {
 
 namespace {
 
-/// The rest of the first line of `file` that starts with `key`, without
-/// separators and quotes; empty: none.
+/// The rest of the first line of `file` that starts with `key`, without separators and quotes; empty: none.
 std::string value_in(const char* file, const std::string& key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {

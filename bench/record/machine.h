@@ -8,11 +8,10 @@
 namespace gibench {
 
 std::string version();
-/// Of the sources that were built; "+" at its end where they differed from it;
-/// "unknown" outside of git.
+/// Of the sources that were built; "+" at its end where they differed from it; "unknown" outside of git.
 std::string commit();
 
-/// What cannot be told is empty or 0.
+/// Unknown values are empty or 0.
 struct Machine {
   std::string cpu, os, compiler, build;
   int cores = 0;
@@ -21,8 +20,7 @@ struct Machine {
 /// The one that this runs on, as this program was built.
 Machine this_machine();
 
-/// {cpu, cores, memory_bytes, os, compiler, build}; what cannot be told is
-/// absent.
+/// {cpu, cores, memory_bytes, os, compiler, build}; unknown values are omitted.
 nlohmann::ordered_json to_json(const Machine& machine);
 Machine machine_of(const nlohmann::ordered_json& json);
 
@@ -35,8 +33,7 @@ struct Origin {
   static Origin here() { return {gibench::version(), gibench::commit(), this_machine()}; }
 };
 
-/// Largest resident memory of this process so far, bytes; 0 where the system
-/// does not tell.
+/// Largest resident memory of this process so far, bytes; 0 where the system does not report it.
 std::uint64_t peak_bytes();
 
 }  // namespace gibench

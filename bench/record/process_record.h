@@ -1,4 +1,4 @@
-/// How the process of a study's run ended: run.json beside the run's result.
+/// The end of the process of a run in a study: run.json beside the run's result.
 #pragma once
 
 #include <array>
@@ -21,22 +21,20 @@ const char* to_string(RunStatus status);
 inline constexpr const char* process_file = "run.json";
 
 struct ProcessRecord {
-  std::string key;  ///< of what was asked: another key means that the result is
-                    ///< not that of the study any more
+  std::string key;  ///< of what was asked: under another key the result is out of date
   RunStatus status = RunStatus::failed;
-  std::optional<int> exit_code;             ///< of a process that ended by itself
-  std::optional<ErrorCode> error;           ///< why it ended without a result, where it could tell
+  std::optional<int> exit_code;             ///< of a process that was not killed
+  std::optional<ErrorCode> error;           ///< why it ended without a result, where it could report it
   std::string message;                      ///< the same in words; empty for one that came to its end
   std::optional<double> wall_seconds;       ///< of the whole process
-  std::optional<std::uint64_t> peak_bytes;  ///< of the work, as it told itself, else of the process
+  std::optional<std::uint64_t> peak_bytes;  ///< of the work, as its record says, else of the process
   std::optional<std::uint64_t> process_peak_bytes;
 };
 
 nlohmann::ordered_json to_json(const ProcessRecord& record);
 /// Adds to a manifest's entry what the record says, without the key.
 void add_to_entry(const ProcessRecord& record, nlohmann::ordered_json& entry);
-/// What a manifest's entry says of its process; a status that is none is left
-/// at failed, with a message.
+/// What a manifest's entry says of its process; an unknown status is read as failed, with a message.
 ProcessRecord process_of_entry(const nlohmann::ordered_json& entry);
 /// Empty where the file is absent or damaged.
 std::optional<ProcessRecord> read_process_record(const std::filesystem::path& file);

@@ -10,8 +10,7 @@ namespace gibench {
 
 namespace {
 
-/// Of the indirect light, or of all light where there is no indirect; 0 in the
-/// dark.
+/// Of the indirect light, or of all light where there is no indirect; 0 in the dark.
 std::optional<double> error_of(const ReferenceValues& values) {
   if (values.direct.size() == 0) return std::nullopt;
   if (const auto error = relative_standard_error(values.indirect)) return error;

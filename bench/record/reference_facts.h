@@ -15,8 +15,7 @@ struct ReferenceFacts {
   std::uint64_t samples_per_replica = 0;  ///< paths for each value in each replicate
   std::size_t replicas = 0;
   double seconds = 0.0;  ///< spent on making it
-  /// Of the indirect light (of all light where there is no indirect); absent
-  /// where nothing was asked there.
+  /// Of the indirect light (of all light where there is no indirect); absent where nothing was asked there.
   std::optional<double> surface_error, image_error;
 
   /// Paths for each value in all replicates.
@@ -27,8 +26,7 @@ struct ReferenceFacts {
 
 ReferenceFacts facts_of(const Scene& scene, const Reference& reference);
 
-/// {key, path_class, samples (per value, all replicates), samples_per_replica,
-/// replicas, relative_standard_error, …}
+/// {key, path_class, samples (per value, all replicates), samples_per_replica, replicas, relative_standard_error, …}
 nlohmann::ordered_json to_json(const ReferenceFacts& facts);
 ReferenceFacts reference_facts_of(const nlohmann::ordered_json& json);
 

@@ -1,4 +1,4 @@
-/// What reference.json records of a stored reference that was written out, written and read here.
+/// The record of a stored reference that was written out, reference.json, written and read here.
 #pragma once
 
 #include <filesystem>

@@ -50,10 +50,7 @@ Json errors_of(const ComponentErrors& errors) {
 
 Json split_of(const RunRecord& record) {
   if (record.complete)
-    return {{"complete", true},
-            {"why",
-             "every light path of the scene is simulated: there is no "
-             "model error"}};
+    return {{"complete", true}, {"why", "every light path of the scene is simulated: there is no model error"}};
   Json json{{"complete", false}};
   if (!record.split) return json;
   json["model"] = errors_of(record.split->model);
@@ -183,7 +180,7 @@ Termination termination_named(const std::string& name) {
        {Termination::done, Termination::converged, Termination::bound_reached, Termination::not_converged,
         Termination::out_of_budget, Termination::cancelled, Termination::invalid_output})
     if (name == to_string(termination)) return termination;
-  throw InputError("termination", "'" + name + "' is none");
+  throw InputError("termination", "unknown name '" + name + "'");
 }
 
 namespace {

@@ -1,5 +1,4 @@
-/// What one run records: result.json, written and read here. What was not
-/// measured is absent, never zero.
+/// The record of a run, result.json, written and read here. Unmeasured values are omitted, not written as zero.
 #pragma once
 
 #include <cstdint>
@@ -34,16 +33,14 @@ struct StageRecord {
 using DomainErrors = std::map<Domain, ErrorTable>;
 using ComponentErrors = std::map<Component, DomainErrors>;
 
-/// Total error in two: what the method's light paths lack, and what its
-/// discretisation adds on those paths.
+/// Total error in two: what the method's light paths lack, and what its discretisation adds on those paths.
 struct ErrorSplit {
   ComponentErrors model;           ///< the reference of its paths against that of all paths
   ComponentErrors discretisation;  ///< the method against the reference of its paths
   ReferenceFacts reference;        ///< the one of its paths
 };
 
-/// Both of them for the light of one number of reflections between a light and
-/// the surface asked about.
+/// Both of them for the light of one number of reflections between a light and the surface asked about.
 struct BounceErrors {
   int bounce = 0;
   std::optional<ComponentErrors> model;  ///< empty: the method has all paths of this bounce
@@ -59,7 +56,7 @@ struct MeasuredAt {
   std::size_t surface_samples = 0;
   std::uint64_t reference_seed = 1;      ///< of the surface samples, the camera rays and the reference
   std::optional<MeasuredCamera> camera;  ///< empty: no pictures
-  int pixel_samples = 0;                 ///< camera rays a pixel
+  int pixel_samples = 0;                 ///< camera rays per pixel
 };
 
 struct RunRecord {
@@ -88,19 +85,18 @@ struct RunRecord {
 
 /// How the run ended: by the first stage that says more than "done".
 Termination termination_of(const RunRecord& record);
-/// Seconds of "load", of each stage and, where it was asked, of "shade": its
-/// stages together.
+/// Seconds of "load", of each stage and, where it was asked, of "shade": its stages together.
 std::vector<std::pair<std::string, double>> seconds_of(const RunRecord& record);
 
 nlohmann::ordered_json to_json(const RunRecord& record);
-/// Throws nlohmann::json::exception or InputError for what is no record.
+/// Throws nlohmann::json::exception or InputError for what is not a record.
 RunRecord run_record_of(const nlohmann::ordered_json& json);
 /// Throws InputError that names the file.
 RunRecord read_run_record(const std::filesystem::path& file);
 
 nlohmann::ordered_json to_json(const ErrorTable& table);
 ErrorTable error_table_of(const nlohmann::ordered_json& json);
-/// Throws InputError for a name that is none.
+/// Throws InputError for an unknown name.
 Termination termination_named(const std::string& name);
 /// {called_for, simulated, missing, skipped: [{effect, why}]}
 nlohmann::ordered_json to_json(const EffectPlan& plan);

@@ -34,7 +34,7 @@ struct ChildResult {
   double seconds = 0.0;              ///< wall clock
   std::uint64_t peak_bytes = 0;      ///< largest resident memory
   std::string out, last_line;        ///< all of stdout, the last line of stderr
-  std::optional<ErrorRecord> error;  ///< why it ended without a result, where it could tell
+  std::optional<ErrorRecord> error;  ///< why it ended without a result, where it could report it
 };
 
 /// Runs this program with the arguments and waits for it. stdout, stderr and its error go to files of this name in

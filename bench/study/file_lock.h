@@ -1,4 +1,4 @@
-/// Keeps processes of this program from working in one folder at the same time.
+/// A lock that keeps processes of this program from working in one folder at the same time.
 #pragma once
 
 #include <filesystem>

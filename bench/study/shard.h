@@ -1,4 +1,4 @@
-/// "i/n": this process does part i of n.
+/// A shard of the work, "i/n": this process does part i of n.
 #pragma once
 
 #include <string>

@@ -85,7 +85,7 @@ void add_variants(const json& entry, const JsonPlace& place, double tolerance, S
   }
   for (const auto& [name, values] : sweep.items()) {
     if (parameters.contains(name))
-      throw InputError(place["sweep"][name].text(), "the parameter also stands in parameters", "remove one of them");
+      throw InputError(place["sweep"][name].text(), "the parameter is also in parameters", "remove one of them");
     for (const json& value : values) Parameters(method.schema, {{name, setting_text(value)}}, place["sweep"].text());
   }
   for (const std::vector<Setting>& swept : combinations(sweep)) {
@@ -98,7 +98,7 @@ void add_variants(const json& entry, const JsonPlace& place, double tolerance, S
     variant.parameters = Parameters(method.schema, settings, place.text()).values();
     for (const StudyVariant& other : variants)
       if (other.label == variant.label)
-        throw InputError(place.text(), fmt::format("'{}' stands twice", variant.label), "give one of them another \"label\"");
+        throw InputError(place.text(), fmt::format("'{}' appears twice", variant.label), "give one of them another \"label\"");
     variants.push_back(std::move(variant));
   }
 }
@@ -149,7 +149,7 @@ void read_relights(const json& list, const JsonPlace& place, const fs::path& fol
     StudyRelight relight = relight_at(list[i], place[i], folder, study);
     for (const StudyRelight& other : study.relights)
       if (other.scene == relight.scene && other.label == relight.label)
-        throw InputError(place[i].text(), fmt::format("'{}' stands twice", relight.label), "give one of them another \"label\"");
+        throw InputError(place[i].text(), fmt::format("'{}' appears twice", relight.label), "give one of them another \"label\"");
     study.relights.push_back(std::move(relight));
   }
 }
@@ -190,7 +190,7 @@ Study read_study(const fs::path& file) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     study.scenes.push_back(scene_at(scenes[i], top["scenes"][i], file.parent_path()));
     if (!names.insert(study.scenes.back().name).second)
-      throw InputError(top["scenes"][i].text(), "a scene of this name stands there already", "remove one or rename its file");
+      throw InputError(top["scenes"][i].text(), "a scene of this name is already in the list", "remove one or rename its file");
   }
   const json& methods = (*value)["methods"];
   for (std::size_t i = 0; i < methods.size(); ++i)

@@ -45,7 +45,7 @@ struct StudyRelight {
   std::optional<int> frames;
   std::size_t surface_samples = 0;
   std::size_t compared_samples = 0;      ///< 0: as many as are asked
-  std::uint64_t reference_samples = 64;  ///< paths a value and replicate
+  std::uint64_t reference_samples = 64;  ///< paths per value and replicate
 };
 
 struct StudyReference {
@@ -68,7 +68,7 @@ struct Study {
 };
 
 /// Reads, validates and expands the sweeps. Throws InputError with file, JSON path and how to fix it: unknown keys, methods and
-/// parameters (the known ones listed), values out of range, labels or scenes that stand twice, scenes that are nowhere.
+/// parameters (the known ones listed), values out of range, labels or scenes that appear twice, scenes that do not exist.
 Study read_study(const std::filesystem::path& file);
 
 }  // namespace gibench

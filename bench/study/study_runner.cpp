@@ -48,10 +48,10 @@ void for_each_job(int jobs, std::size_t count, const std::function<void(std::siz
   if (first_error) std::rethrow_exception(first_error);
 }
 
-/// Why a process that ended by itself has no result, in words.
+/// Why a process that was not killed has no result, in words.
 std::string message_of(const ChildResult& child) { return child.error ? child.error->message : child.last_line; }
 
-bool told(const ChildResult& child, ErrorCode code) { return child.error && child.error->code == code; }
+bool ended_with(const ChildResult& child, ErrorCode code) { return child.error && child.error->code == code; }
 
 RunStatus status_of(const ChildResult& child) {
   switch (child.end) {
@@ -62,7 +62,7 @@ RunStatus status_of(const ChildResult& child) {
     case ChildEnd::exited: break;
   }
   if (child.exit_code == 0) return RunStatus::done;
-  return told(child, ErrorCode::refused) ? RunStatus::refused : RunStatus::failed;
+  return ended_with(child, ErrorCode::refused) ? RunStatus::refused : RunStatus::failed;
 }
 
 std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
@@ -79,7 +79,7 @@ std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
   return child.exit_code == 0 ? std::string() : message_of(child);
 }
 
-/// Of the work, as the run's record tells it; 0 where there is no record.
+/// Of the work, as the run's record says; 0 where there is no record.
 std::uint64_t told_peak_bytes(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder / result_file, ignored)) return 0;
@@ -167,10 +167,10 @@ void StudyRunner::check_scenes() {
     if (result.end == ChildEnd::exited && result.exit_code == 0) {
       scenes_[s].check = Json::parse(result.out);
       if (study_.reference) scenes_[s].reference = reference_if_there(scene.name);
-    } else if (told(result, ErrorCode::missing_file)) {  // of models that are not on this machine
+    } else if (ended_with(result, ErrorCode::missing_file)) {  // of models that are not on this machine
       scenes_[s].skipped = message_of(result);
       tell(fmt::format("skipped {}: {}", scene.name, *scenes_[s].skipped));
-    } else if (told(result, ErrorCode::bad_input)) {
+    } else if (ended_with(result, ErrorCode::bad_input)) {
       throw InputError("scene " + scene.name, message_of(result));
     } else {
       throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));

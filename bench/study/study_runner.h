@@ -1,4 +1,4 @@
-/// Runs a study: every scene's check, every reference and every run in a process of its own.
+/// The runner of a study: every scene's check, every reference and every run in a process of its own.
 #pragma once
 
 #include <atomic>

@@ -10,8 +10,8 @@ namespace gibench {
 /// The input or the call is wrong. `what()` is one line: place, what is wrong, how to fix it. Exit status 2.
 class InputError : public std::runtime_error {
  public:
-  /// place: file, JSON path or option; problem: what is wrong there; mend: what to write instead (may be empty).
-  InputError(const std::string& place, const std::string& problem, const std::string& mend = {});
+  /// place: file, JSON path or option; problem: what is wrong there; remedy: what to write instead (may be empty).
+  InputError(const std::string& place, const std::string& problem, const std::string& remedy = {});
 };
 
 /// The work itself failed: out of time or memory, no convergence, a method that refused the scene. Exit status 4.

@@ -7,6 +7,7 @@
 
 namespace gibench {
 
+/// One chunk of a loop.
 struct ChunkRange {
   std::size_t begin, end, chunk;  ///< items [begin, end) of chunk number `chunk`
 };

@@ -6,6 +6,7 @@
 
 namespace gibench {
 
+/// Three channels, added and multiplied channel by channel.
 template <class T>
 struct BasicRgb {
   T r{}, g{}, b{};

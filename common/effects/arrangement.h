@@ -5,6 +5,7 @@
 
 namespace gibench {
 
+/// Whether surfaces can hide one another, and if not, why.
 enum class Arrangement {
   general,          ///< surfaces may hide one another
   convex_room,      ///< every front looks into one convex space: all fronts see one another

@@ -62,7 +62,7 @@ BounceBound bounce_bound(const Reflectances& reflectances, double tolerance) {
   }
   bound.why += fmt::format("more than {} reflections hold less than {:g} of the light", *bound.most, tolerance);
   if (const auto typical = least_bounces(reflectances.area_weighted, tolerance); typical && *typical < *bound.most)
-    bound.why += fmt::format(" (more than about {}, were every surface of the area-weighted albedo)", *typical);
+    bound.why += fmt::format(" (more than about {} if every surface had the area-weighted albedo)", *typical);
   return bound;
 }
 

@@ -8,6 +8,7 @@
 
 namespace gibench {
 
+/// A kind of change, from the smallest to the largest: what a method has to compute again depends on it.
 enum class Change {
   lights,       ///< a light, or what a material emits
   albedo,       ///< diffuse reflectances

@@ -30,7 +30,7 @@ const char* meaning_of(Effect effect);
 const std::vector<Effect>& all_effects();
 /// Properties of a scene, not classes of its paths: a user's choice of effects says nothing about them.
 const EffectSet& scene_properties();
-/// Effects by their names. Throws InputError at `place`, the known ones listed, for a name that is none.
+/// Effects by their names. Throws InputError at `place`, the known ones listed, for an unknown name.
 EffectSet effects_of_names(const std::vector<std::string>& names, const std::string& place);
 /// "direct, occlusion"
 std::string names_of(const EffectSet& effects);
@@ -43,6 +43,7 @@ struct PlanLimits {
   EffectSet forced;                  ///< simulated even where the scene does not call for it
 };
 
+/// An effect that a method does not simulate on a scene, and the reason.
 struct SkippedEffect {
   Effect effect;
   std::string why;

@@ -13,7 +13,7 @@ bool is_grey(const Rgb& c) { return c.r == c.g && c.g == c.b; }
 
 bool is_grey(const Material& m) { return is_grey(m.diffuse) && is_grey(m.specular) && is_grey(m.f0) && is_grey(m.reflectance); }
 
-/// What a material does to light, besides diffusely.
+/// What a material does to light apart from diffuse reflection.
 PathEvents glossy_event(const Material& m) {
   switch (gloss_of(m)) {
     case Gloss::none: return {};

@@ -22,6 +22,7 @@ struct LightCounts {
   bool operator==(const LightCounts&) const = default;
 };
 
+/// What a scene holds of each thing that an effect depends on.
 struct SceneFacts {
   LightCounts lights;
   std::string first_emitter;              ///< name of a material; empty: none

@@ -22,7 +22,7 @@ class FaceFans {
     mesh_.reserve(points, 2 * faces.size(), faces.size());
     for (std::size_t i = 0; i < points; ++i) mesh_.add_vertex({});
     std::iota(points_of_vertex_.begin(), points_of_vertex_.end(), 0U);
-    ::omerr().disable();  // a refused face is no error here
+    ::omerr().disable();  // a refused face is not an error here
     for (const Face& face : faces) add(face);
     ::omerr().enable();
   }

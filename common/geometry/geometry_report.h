@@ -12,6 +12,7 @@
 
 namespace gibench {
 
+/// The facts of a scene or of one object.
 struct GeometryReport {
   std::string name;                                 ///< of the scene or the object
   std::size_t faces = 0, triangles = 0, quads = 0;  ///< triangles and quads as given: faces is their sum

@@ -17,6 +17,7 @@ struct SurfaceSide {
   bool front = true;
 };
 
+/// A point of the distribution.
 struct DiscPoint {
   Vec3 position{0.0F};
   Vec3 normal{0.0F};  ///< unit, on the side the point lies on
@@ -27,6 +28,7 @@ struct DiscPoint {
 /// is turned down counts as a failed proposal. May be called from the calling thread only.
 using PointTest = std::function<void(std::span<const DiscPoint>, std::span<std::uint8_t> keep)>;
 
+/// How points are proposed and tested, and when a level ends.
 struct PoissonDiscOptions {
   std::uint64_t seed = 1;
   int threads = 0;                  ///< 0: all cores
@@ -70,7 +72,7 @@ class PoissonDisc {
   std::uint64_t proposals_ = 0;
 };
 
-/// Every side that light can leave of the objects for which `wanted` is not 0 (one entry an object).
+/// Every side that light can leave of the objects for which `wanted` is not 0 (one entry per object).
 std::vector<SurfaceSide> lit_sides(const World& world, std::span<const std::uint8_t> wanted);
 
 }  // namespace gibench

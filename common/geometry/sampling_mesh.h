@@ -12,6 +12,7 @@
 
 namespace gibench {
 
+/// How finely the scene is cut, and where normals may break.
 struct SamplingMeshOptions {
   double edge_length = std::numeric_limits<double>::infinity();  ///< metres; longer edges are cut; infinity: none
   float crease_degrees = 40.0F;  ///< largest angle between the normals of faces that share a vertex
@@ -27,6 +28,7 @@ struct MeshVertex {
   bool front = true;  ///< on the front of its faces
 };
 
+/// A face of the mesh, on one side of the scene.
 struct MeshFace {
   std::array<std::uint32_t, 4>
       corners{};  ///< vertices; counter-clockwise seen from the front, on backs too; a triangle repeats its third

@@ -19,6 +19,7 @@ struct Subface {
   std::uint32_t triangle;  ///< what lookups give
 };
 
+/// A point by the smaller triangle in which it lies.
 struct SubfacePoint {
   std::uint32_t triangle;
   float second, third;  ///< barycentrics of the smaller triangle's second and third corner, in [0, 1]

@@ -3,6 +3,7 @@
 
 namespace gibench {
 
+/// The exposure of a scene, in stops.
 struct Exposure {
   float value = 0.0F;                ///< LDR pictures: radiance times 2^value
   float start = -2.0F, stop = 4.0F;  ///< HDR-FLIP range

@@ -32,7 +32,7 @@ struct ImagePluginFunctions {
   std::string (*decode)(const std::string& file, DecodedImage& image);
   std::string (*encode_exr)(int width, int height, std::span<const EncodedChannel> channels,
                             std::span<const std::pair<std::string, std::string>> header, std::vector<char>& bytes);
-  /// `rgb`: 8-bit sRGB, three bytes a pixel.
+  /// `rgb`: 8-bit sRGB, three bytes per pixel.
   std::string (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb, std::vector<char>& bytes);
 };
 

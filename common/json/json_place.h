@@ -7,6 +7,7 @@
 
 namespace gibench {
 
+/// A file and the path to a value in it; `[]` goes one step down.
 class JsonPlace {
  public:
   /// The top of the file (or of whatever `file` names).

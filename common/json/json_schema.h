@@ -8,10 +8,10 @@
 
 namespace gibench {
 
-/// Throws InputError for the first violation: `place` and the path from there, what is wrong, and as the mend what
-/// the schema's own description says that belongs there (so write descriptions that follow "give"), or the known
-/// keys for an unknown one. `mend` is said where the schema has no words. References must be local ("#/definitions/…").
+/// Throws InputError for the first violation: `place` and the path from there, what is wrong, and how to fix it:
+/// what the schema's own description says (so write descriptions that follow "give"), or the known keys for an unknown one.
+/// `remedy` is the fix where the schema has no description. References must be local ("#/definitions/…").
 void check_against_json_schema(const nlohmann::json& value, const nlohmann::json& schema, const JsonPlace& place,
-                               const std::string& mend);
+                               const std::string& remedy);
 
 }  // namespace gibench

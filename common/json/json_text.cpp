@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Follows the parser and finds keys that stand twice in one object.
+/// Follows the parser and finds keys that appear twice in one object.
 class DuplicateKeys {
  public:
   explicit DuplicateKeys(const std::string& file) : file_(file) {}
@@ -48,7 +48,7 @@ class DuplicateKeys {
   void add_key(const std::string& key) {
     Level& level = levels_.back();
     if (!level.keys.insert(key).second)
-      throw InputError(place().text(), "the key " + in_quotes(key) + " stands twice", "rename or remove one of them");
+      throw InputError(place().text(), "the key " + in_quotes(key) + " appears twice", "rename or remove one of them");
     level.key = key;
   }
 

@@ -7,7 +7,7 @@
 namespace gibench {
 
 /// Throws InputError for a syntax error (line and column), a number too large for double precision, or a key
-/// that stands twice in one object (JSON would silently take the last). `file` names the text in messages.
+/// that appears twice in one object (JSON would silently take the last). `file` names the text in messages.
 nlohmann::json parse_json(const std::string& text, const std::string& file);
 
 }  // namespace gibench

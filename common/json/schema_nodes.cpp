@@ -92,7 +92,7 @@ std::string broken_value_rule(const json& node, const json& value) {
 }
 
 /// What the schema says that belongs there.
-std::string mend_of(const SchemaNodes& nodes) {
+std::string remedy_of(const SchemaNodes& nodes) {
   for (const json* node : nodes)
     if (const auto description = node->find("description"); description != node->end())
       return "give " + description->get<std::string>();
@@ -115,7 +115,7 @@ std::optional<BrokenRule> broken_key_rule(const json& root, const SchemaNodes& n
     if (required == node->end()) continue;
     for (const json& key : *required)
       if (const auto name = key.get<std::string>(); !value.contains(name))
-        return BrokenRule{"the key " + in_quotes(name) + " is missing", mend_of(nodes_of_element(root, nodes, name, json()))};
+        return BrokenRule{"the key " + in_quotes(name) + " is missing", remedy_of(nodes_of_element(root, nodes, name, json()))};
   }
   return std::nullopt;
 }
@@ -147,7 +147,8 @@ SchemaNodes nodes_of_element(const json& root, const SchemaNodes& nodes, const s
 
 std::optional<BrokenRule> broken_rule(const json& root, const SchemaNodes& nodes, const json& value) {
   for (const json* node : nodes)
-    if (const std::string problem = broken_value_rule(*node, value); !problem.empty()) return BrokenRule{problem, mend_of(nodes)};
+    if (const std::string problem = broken_value_rule(*node, value); !problem.empty())
+      return BrokenRule{problem, remedy_of(nodes)};
   return value.is_object() ? broken_key_rule(root, nodes, value) : std::nullopt;
 }
 

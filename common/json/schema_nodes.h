@@ -21,7 +21,7 @@ SchemaNodes nodes_of_element(const nlohmann::json& root, const SchemaNodes& node
 
 /// What is wrong, and what to write instead (empty where the schema does not say).
 struct BrokenRule {
-  std::string problem, mend;
+  std::string problem, remedy;
 };
 /// The first rule that a value itself breaks (its elements are left alone).
 std::optional<BrokenRule> broken_rule(const nlohmann::json& root, const SchemaNodes& nodes, const nlohmann::json& value);

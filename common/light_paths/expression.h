@@ -11,6 +11,7 @@ namespace gibench {
 
 /// One operator or event of an expression.
 struct PathNode {
+  /// What the node is.
   enum class Kind { event, sequence, choice, repeat };
   Kind kind = Kind::event;
   PathEvents events;               ///< event: any of these

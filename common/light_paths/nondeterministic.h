@@ -8,6 +8,7 @@
 
 namespace gibench {
 
+/// States and edges; a path is read by following all edges that fit.
 class NondeterministicPaths {
  public:
   using Set = std::vector<std::uint32_t>;  ///< sorted states, closed under the edges that take no event

@@ -10,12 +10,12 @@ namespace gibench {
 /// mirror). `light` is a light without a surface (point, spot, directional), `emitter` an emitting surface.
 enum class PathEvent : std::uint8_t {
   camera,                ///< C
-  diffuse_reflection,    ///< <RD>
-  glossy_reflection,     ///< <RG>
-  mirror_reflection,     ///< <RS>
-  diffuse_transmission,  ///< <TD>
-  glossy_transmission,   ///< <TG>
-  mirror_transmission,   ///< <TS>
+  diffuse_reflection,    ///< `<RD>`
+  glossy_reflection,     ///< `<RG>`
+  mirror_reflection,     ///< `<RS>`
+  diffuse_transmission,  ///< `<TD>`
+  glossy_transmission,   ///< `<TG>`
+  mirror_transmission,   ///< `<TS>`
   light,                 ///< L
   emitter,               ///< O
   background,            ///< B

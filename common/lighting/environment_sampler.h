@@ -40,7 +40,7 @@ class EnvironmentSampler {
   float rotation_;  ///< radians about +y
   double integral_ = 0.0;
   std::vector<float> rows_up_to_;     ///< cumulative share of the rows; rows + 1 values from 0 to 1
-  std::vector<float> columns_up_to_;  ///< within each row; columns + 1 values a row
+  std::vector<float> columns_up_to_;  ///< within each row; columns + 1 values per row
 };
 
 }  // namespace gibench

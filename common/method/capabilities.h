@@ -8,6 +8,7 @@
 
 namespace gibench {
 
+/// What a method can simulate, answer and do again cheaply.
 struct Capabilities {
   EffectSet effects;
   std::set<Quantity> quantities;  ///< what shade() answers; the session derives others from irradiance, see MethodSession

@@ -11,6 +11,7 @@
 
 namespace gibench {
 
+/// The description of a method and the function that makes it.
 struct MethodEntry {
   std::string name;
   std::string summary;      ///< one line

@@ -74,6 +74,7 @@ BoundParameter<Settings> parameter(const char* name, Value Settings::*member,
   return row;
 }
 
+/// All parameters of a method, one row each.
 template <class Settings>
 class ParameterTable {
  public:

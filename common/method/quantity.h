@@ -5,6 +5,7 @@
 
 namespace gibench {
 
+/// A kind of light, with its unit.
 enum class Quantity {
   radiance,       ///< leaving towards the viewer, W/(m² sr)
   irradiance,     ///< arriving on the sample's side, W/m²

@@ -1,4 +1,4 @@
-/// How a series of bounces ended, in the terms of a stage report.
+/// The end of a series of bounces, in the terms of a stage report.
 #pragma once
 
 #include "common/finite_elements/bounce_series.h"

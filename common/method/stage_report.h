@@ -8,6 +8,7 @@
 
 namespace gibench {
 
+/// How a stage ended.
 enum class Termination {
   done,            ///< a direct computation came to its end
   converged,       ///< an iteration met its tolerance
@@ -24,12 +25,14 @@ constexpr bool succeeded(Termination t) {
 }
 const char* to_string(Termination t);
 
+/// The progress of a stage at one moment.
 struct ProgressPoint {
   std::string step;
   double done = 0.0;       ///< share of the stage, [0, 1]
   double residual = -1.0;  ///< relative residual of an iteration; negative where there is none
 };
 
+/// What a stage did; numerics report their outcome here and never throw.
 struct StageReport {
   Termination termination = Termination::done;
   std::string message;

@@ -16,6 +16,7 @@
 
 namespace gibench {
 
+/// What the caller gives to a run.
 struct TaskSettings {
   std::uint64_t seed = 1;
   int threads = 0;                                        ///< 0: all cores

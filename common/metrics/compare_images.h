@@ -11,11 +11,13 @@
 
 namespace gibench {
 
+/// The viewing conditions that FLIP depends on.
 struct ComparisonOptions {
   float pixels_per_degree = default_pixels_per_degree;
   std::optional<ExposureRange> exposures;  ///< of HDR-FLIP; empty: automatic_exposures of the reference
 };
 
+/// The metrics of one pair of pictures.
 struct ImageComparison {
   std::map<std::string, double> values;  ///< metric → value, those of metric_table.h but for FLIP
   std::string flip_name;                 ///< "flip" for pictures of limited range, "hdr_flip" for EXR and HDR

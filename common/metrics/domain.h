@@ -1,10 +1,11 @@
-/// Where errors are taken.
+/// The domains of errors: where they are taken.
 #pragma once
 
 #include <array>
 
 namespace gibench {
 
+/// The surface samples, or the pixels of a camera.
 enum class Domain {
   image,    ///< radiance in the camera's image, W/(m² sr)
   surface,  ///< irradiance at the surface samples, W/m²

@@ -7,6 +7,7 @@
 
 namespace gibench {
 
+/// An error, as estimated against a reference with noise.
 struct ErrorValue {
   double value = 0.0;
   double low = 0.0, high = 0.0;       ///< 95% interval over the reference replicates (jackknife, Student t; see intervals.h)

@@ -10,6 +10,7 @@
 
 namespace gibench {
 
+/// The curve that maps exposed radiance to [0, 1].
 enum class ToneMapper { aces, reinhard, hable };
 
 /// `count` exposures in equal steps from start to stop, in stops.

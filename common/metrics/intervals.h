@@ -20,6 +20,7 @@
 
 namespace gibench {
 
+/// Both ends of an interval, included.
 struct Interval {
   double low = 0.0, high = 0.0;
 };

@@ -23,6 +23,7 @@ enum class Better {
   unknown,         ///< not in the table: drawn as it is, on a linear axis; smaller counts as better
 };
 
+/// The unit of a metric's values.
 enum class MetricUnit {
   none,
   share,      ///< shown as a percentage
@@ -54,6 +55,7 @@ struct PictureMetric {
   std::optional<double> (*of_displayed)(int, int, std::span<const Rgb>, std::span<const Rgb>) = nullptr;
 };
 
+/// A row of the table.
 struct Metric {
   std::string name;     ///< with its constants: "mape(0.01)"
   std::string title;    ///< as on an axis, of what is drawn: "Relative RMSE", "1 − SSIM"

@@ -22,6 +22,7 @@ struct ReferenceMeans {
 /// for them against the mean is its noise floor; for the squared error that is ¼ mean (A−B)².
 std::vector<Rgb> values_with_noise_only(const ReferenceMeans& reference);
 
+/// A metric with its derivative by the reference, from which its interval follows.
 struct MetricEstimate {
   double value = 0.0;
   std::vector<Rgb> slope;  ///< 3 n ∂value/∂r at every value and channel

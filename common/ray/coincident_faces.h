@@ -1,4 +1,4 @@
-/// Where triangles of a scene coincide: which of them is in front, by a rule that does not depend on their order.
+/// Triangles of a scene that coincide: which of them is in front, by a rule that does not depend on their order.
 #pragma once
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 
 namespace gibench {
 
+/// The points origin + t direction with t from t_min to t_max.
 struct Ray {
   Vec3 origin;
   float t_min = 0.0F;
@@ -16,6 +17,7 @@ struct Ray {
   float t_max = std::numeric_limits<float>::infinity();
 };
 
+/// The nearest point that a ray meets; false where it meets nothing.
 struct Hit {
   static constexpr std::uint32_t none = 0xffffffffU;
   std::uint32_t triangle = none;  ///< index into Scene::triangles

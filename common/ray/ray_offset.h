@@ -1,4 +1,4 @@
-/// How far positions and rays are rounded: the distance off a surface at which rays begin and end.
+/// The rounding of positions and rays: the distance off a surface at which rays begin and end.
 #pragma once
 
 namespace gibench {

@@ -23,6 +23,7 @@ struct SurfaceSample {
   bool lit_side = true;        ///< the front, or either side of a two-sided object; a back is black
 };
 
+/// A scene with its geometry, normals, areas and ray backend. It never changes: an edit makes another.
 class World {
  public:
   /// `threads` build the geometry (0: all cores). The rays are Embree's.

@@ -24,6 +24,7 @@ struct ReferenceValues {
   Replicas direct, indirect;
 };
 
+/// The replicates of one question, and what they cost.
 struct Reference {
   ReferenceQuestion question;
   std::uint64_t samples_per_replica = 0;  ///< paths for each value in each replicate

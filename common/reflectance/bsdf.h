@@ -28,6 +28,7 @@ enum class Lobes : std::uint8_t { none = 0, diffuse = 1, specular = 2, both = 3 
 constexpr bool contains(Lobes lobes, Lobes one) { return (static_cast<unsigned>(lobes) & static_cast<unsigned>(one)) != 0; }
 constexpr Lobes operator|(Lobes a, Lobes b) { return static_cast<Lobes>(static_cast<unsigned>(a) | static_cast<unsigned>(b)); }
 
+/// A direction drawn in proportion to what the surface reflects.
 struct BsdfSample {
   Vec3 in{0.0F};       ///< where light is looked for
   Rgb weight;          ///< f · cos / pdf; a mirror's reflectance; black where nothing comes of the sample
@@ -59,7 +60,7 @@ class SurfaceBsdf {
 
  private:
   float specular_share(const Vec3& out, Lobes lobes) const;
-  // Of the lobe besides the diffuse one; a mirror's is none that can be evaluated.
+  // Of the lobe beside the diffuse one; a mirror's cannot be evaluated.
   float lobe_strength(const Vec3& out) const;
   BsdfValue lobe_value(const Vec3& out, const Vec3& in) const;
   Vec3 lobe_sample(const Vec3& out, Vec2 u) const;

@@ -6,6 +6,7 @@
 
 namespace gibench {
 
+/// Reflection that is the same in every direction.
 struct DiffuseLobe {
   Rgb albedo;  ///< ρ, [0, 1]
 

@@ -1,4 +1,4 @@
-/// What is known of every kind of light without sampling it. A kind that does not say does not compile.
+/// The facts of every kind of light that need no sampling. A kind without them does not compile.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 
 namespace gibench {
 
+/// The facts of one kind.
 struct LightKind {
   const char* name;  ///< as scene files write it and records count it
   bool at_infinity;  ///< outside every scene: it gives a closed one nothing

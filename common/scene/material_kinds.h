@@ -1,4 +1,4 @@
-/// What is known of every kind of BRDF without evaluating it. A kind that does not say does not compile.
+/// The facts of every kind of BRDF that need no evaluation. A kind without them does not compile.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ inline constexpr std::array all_bsdfs{Bsdf::diffuse, Bsdf::phong, Bsdf::ggx, Bsd
 /// "diffuse", as scene files write it.
 const char* to_string(Bsdf bsdf);
 
-/// What a surface does to light besides reflecting it diffusely.
+/// What a surface does to light apart from reflecting it diffusely.
 enum class Gloss { none, lobe, mirror };
 Gloss gloss_of(const Material& material);
 

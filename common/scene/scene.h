@@ -16,6 +16,7 @@
 
 namespace gibench {
 
+/// The kinds of BRDF.
 enum class Bsdf { diffuse, phong, ggx, mirror };
 
 /// What the front of a surface does to light; the fields that `bsdf` does not use stay zero.
@@ -37,6 +38,7 @@ struct Face {
   bool is_quad() const { return corners[3] != corners[2]; }
 };
 
+/// Three corners, counter-clockwise seen from the front: what rays meet.
 struct Triangle {
   std::array<std::uint32_t, 3> corners{};
 };
@@ -52,16 +54,19 @@ struct Object {
   std::uint32_t triangle_begin = 0, triangle_end = 0;
 };
 
+/// Light from one point, the same in all directions.
 struct PointLight {
   Vec3 position;  ///< relative to Scene::origin
   Rgb intensity;  ///< W/sr
 };
+/// Light from one point into a cone.
 struct SpotLight {
   Vec3 position;
   Vec3 direction;                            ///< unit; the way the light travels
   Rgb intensity;                             ///< W/sr inside the inner cone
   float cos_inner = 1.0F, cos_outer = 1.0F;  ///< smoothstep in the cosine between them
 };
+/// Light from infinitely far, in one direction.
 struct DirectionalLight {
   Vec3 direction;  ///< unit; the way the light travels
   Rgb irradiance;  ///< W/m² on a surface that faces the light
@@ -71,6 +76,7 @@ struct EnvironmentImage {
   int width = 0, height = 0;
   std::vector<Rgb> pixels;  ///< row-major from the top, W/(m² sr)
 };
+/// Light from infinitely far, from every direction.
 struct EnvironmentLight {
   Rgb radiance{1.0F};                             ///< constant radiance, or the factor on the image
   std::shared_ptr<const EnvironmentImage> image;  ///< empty: constant
@@ -78,6 +84,7 @@ struct EnvironmentLight {
 };
 using Light = std::variant<PointLight, SpotLight, DirectionalLight, EnvironmentLight>;
 
+/// A pinhole camera.
 struct Camera {
   std::string name;
   Vec3 position, look_at, up;  ///< positions relative to Scene::origin
@@ -94,10 +101,12 @@ struct MoveEdit {
   Vec3d translate{0};  ///< metres
   Vec3d rotate_degrees{0};
 };
+/// Another material under the same name.
 struct MaterialEdit {
   std::string material;
   Material after;  ///< whole, with what earlier edits changed
 };
+/// A light with other values.
 struct LightEdit {
   std::size_t light;
   Light after;  ///< whole, with what earlier edits changed
@@ -109,6 +118,7 @@ struct DeformEdit {
 };
 using SceneEdit = std::variant<MoveEdit, MaterialEdit, LightEdit, DeformEdit>;
 
+/// Everything that a scene file says, checked, and its triangles.
 struct Scene {
   std::string name;
   std::filesystem::path file;  ///< where it was read from; empty for a scene made in memory

@@ -1,4 +1,4 @@
-/// Puts a scene's geometry together in double precision and recentres it.
+/// A builder of a scene's geometry, in double precision, recentred at the end.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ObjectGeometry {
   void append(const ObjectGeometry& other);
 };
 
-/// Used once a scene: objects first, then finish_geometry(), then everything that needs to_local().
+/// Used once per scene: objects first, then finish_geometry(), then everything that needs to_local().
 class SceneBuilder {
  public:
   explicit SceneBuilder(Scene& scene) : scene_(scene) {}

@@ -31,7 +31,7 @@ class BinTransport {
 
   /// U of diffuse light: radiosities of the leaves' fronts, W/m².
   void transport_diffuse(std::span<const Rgb> radiosity, Vector& incident, Task& task);
-  /// U (K − J): `albedo` of every leaf; empty: U (−J) alone. `glossy`: what K has besides, may be null.
+  /// U (K − J): `albedo` of every leaf; empty: U (−J) alone. `glossy`: what else K has, may be null.
   void transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident,
                  Task& task);
   /// U K alone: the next bounce.

@@ -1,4 +1,4 @@
-/// Solves x = b + M x where M is known by what it does to a vector, and says honestly how that went.
+/// A solver of x = b + M x, where M is known by what it does to a vector; it reports honestly how that went.
 #pragma once
 
 #include <Eigen/Core>

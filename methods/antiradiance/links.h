@@ -25,7 +25,7 @@ struct LinkMask {
   DirectionMask send, receive;
 };
 
-/// Rows by receiving node. 8 bytes a link (sender and factor), 10 more with masks.
+/// Rows by receiving node. 8 bytes per link (sender and factor), 10 more with masks.
 struct LinkTable {
   std::vector<std::uint32_t> row_begin;  ///< of every node, and the end
   LargeArray<Sender> senders;

@@ -1,4 +1,4 @@
-/// Transport of diffuse light between elements over the links: push-pull on one value a node and side.
+/// Transport of diffuse light between elements over the links: push-pull on one value per node and side.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// Makes the links: pairs of nodes are refined until an oracle accepts them, in parallel, queue by queue.
+/// The making of links: pairs of nodes are refined until an oracle accepts them, in parallel, queue by queue.
 #pragma once
 
 #include <cstdint>

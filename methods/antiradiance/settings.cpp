@@ -29,7 +29,7 @@ const ParameterTable<Settings>& table() {
                 "links are accepted by form factor alone, or by form factor times radiosity times area"),
       parameter("tolerance", &Settings::tolerance, 1e-5, 1.0,
                 "largest form factor (times relative radiosity and area) of an accepted link"),
-      parameter("visibility_rays", &Settings::visibility_rays, 1, 4096, "rays a link, in radiosity mode"),
+      parameter("visibility_rays", &Settings::visibility_rays, 1, 4096, "rays per link, in radiosity mode"),
       parameter("closure_rays", &Settings::closure_rays, 0, 65536,
                 "rays of an element that measure what its form factors must sum to; 0: they are only kept to one at most"),
       parameter("bins", &Settings::bins, 4, 128, "directional bins along a side of the map of the sphere: n means n² bins; even"),

@@ -28,7 +28,7 @@ class Expansion {
   std::size_t bytes() const;
 
  private:
-  /// Eight basis functions; missing ones have no normal and never weigh. Their coefficients stand apart, a Lanes a channel.
+  /// Eight basis functions; missing ones have no normal and never weigh. Their coefficients stand apart, one Lanes per channel.
   struct Block {
     Lanes position[3], normal[3], inverse_radius_squared;
   };
@@ -37,7 +37,7 @@ class Expansion {
     Lanes weight{}, colour[3]{};
     Lanes covering{}, solid_angle{};
 
-    /// `values`: of the block, one Lanes a channel; a grey one stands for three.
+    /// `values`: of the block, one Lanes per channel; a grey one stands for three.
     template <int channels>
     void add_weights(const Lanes* values, const Lanes& squared_ratio, const Lanes& cosine);
     void add_solid_angles(const Block& block, const Vec3& receiver, const Lanes& squared_ratio, const Lanes& cosine);

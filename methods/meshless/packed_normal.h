@@ -1,4 +1,4 @@
-/// Unit vectors in 32 bits: the octahedral map (Meyer et al. 2010), 16 bits a coordinate; exact on the axes, good to
+/// Unit vectors in 32 bits: the octahedral map (Meyer et al. 2010), 16 bits per coordinate; exact on the axes, good to
 /// 6.5e-5 radians elsewhere: half a step in both coordinates, 1.53e-5 · √2, stretched by up to 3 in the middle of a face.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Approximates a function in the basis, adaptively: the receiver side of COMPUTE-BOUNCE (Lehtinen et al. 2007,
+/// Adaptive approximation of a function in the basis: the receiver side of COMPUTE-BOUNCE (Lehtinen et al. 2007,
 /// section 6.3), for a bounce of light as for direct light.
 #pragma once
 

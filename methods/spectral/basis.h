@@ -47,9 +47,9 @@ class SpectralBasis {
   /// wᵢ of the inner product ⟨f, g⟩ = Σ wᵢ fᵢ gᵢ in which the functions are orthonormal.
   std::span<const float> weight() const { return weight_; }
 
-  /// ⟨f, s_ℓ⟩ for every column; `values` one a slot, `coefficients` one a column.
+  /// ⟨f, s_ℓ⟩ for every column; `values` one per slot, `coefficients` one per column.
   void project(std::span<const Rgb4> values, std::span<Rgb4> coefficients, Task& task) const;
-  /// The same of the light that surfaces reflect, `reflectance` (direct + indirect), each one a slot, without that ever being
+  /// The same of the light that surfaces reflect, `reflectance` (direct + indirect), one per slot, without that ever being
   /// stored.
   void project_reflected(std::span<const Rgb4> reflectance, std::span<const Rgb4> direct, std::span<const Rgb4> indirect,
                          std::span<Rgb4> coefficients, Task& task) const;

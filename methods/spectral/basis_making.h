@@ -1,4 +1,4 @@
-/// Makes the spectral mesh basis: the eigenvectors of every part's Laplacian.
+/// The making of the spectral mesh basis: the eigenvectors of every part's Laplacian.
 #pragma once
 
 #include <cstdint>

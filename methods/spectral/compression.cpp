@@ -55,7 +55,7 @@ std::vector<float> spread_of_columns(const SpectralBasis& basis, const std::vect
   return spread;
 }
 
-using Answers = std::vector<std::vector<Rgb4>>;  // one a light and row
+using Answers = std::vector<std::vector<Rgb4>>;  // one per light and row
 
 /// What a pilot's rows truly are, twice.
 std::span<const float> truth(const PilotBlock& pilot, std::size_t which) {

@@ -8,7 +8,7 @@
 
 namespace gibench::spectral {
 
-/// Every part is connected: the connected pieces of the mesh are cut each by itself into parts of about the wanted
+/// Every part is connected: the connected pieces of the mesh are each cut into parts of about the wanted
 /// size, and what METIS leaves in two pieces becomes two parts. A vertex without neighbours is a part.
 struct Partition {
   std::vector<std::uint32_t> order;       ///< vertices, part by part, ascending in each as partition_mesh() leaves them
@@ -20,7 +20,7 @@ struct Partition {
 
 Partition partition_mesh(const SurfaceGraph& graph, std::uint32_t part_vertices);
 
-/// `total` basis functions shared out over the parts by their vertices: one at least and one a vertex at most.
+/// `total` basis functions shared out over the parts by their vertices: at least one, at most one per vertex.
 std::vector<std::uint32_t> share_out(const Partition& partition, std::uint32_t total);
 
 }  // namespace gibench::spectral

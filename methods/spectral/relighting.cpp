@@ -45,7 +45,7 @@ class Frame {
     return {std::sqrt(total.change), std::sqrt(total.whole)};
   }
 
-  /// A matrix a channel, or one for all.
+  /// A matrix per channel, or one for all.
   void multiply(const std::vector<TransferMatrix>& by_channel, const std::vector<Rgb4>& light, std::vector<Rgb4>& out) const {
     by_channel.front().multiply(light, out, task_);
     std::vector<Rgb4> other(by_channel.size() > 1 ? out.size() : 0);

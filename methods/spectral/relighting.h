@@ -16,11 +16,11 @@ struct Relit {
   std::string message;
   int bounces = 0;
   double residual = 0.0;
-  std::vector<Rgb4> irradiance;         ///< indirect, W/m², one a slot
+  std::vector<Rgb4> irradiance;         ///< indirect, W/m², one per slot
   std::vector<RgbHarmonics> harmonics;  ///< ∫ L h_k cos of the arriving indirect light, one a glossy row
 };
 
-/// `direct`: irradiance straight from the lights, W/m²; `reflectance`: ρ/π, 1/sr; each one a slot. Bounce by bounce
+/// `direct`: irradiance straight from the lights, W/m²; `reflectance`: ρ/π, 1/sr; one per slot. Bounce by bounce
 /// Eᵢ₊₁ = T^s S (ρ/π (E + Eᵢ)), S the projection; or with T* at once.
 Relit relight(const Transfer& transfer, std::span<const Rgb4> direct, std::span<const Rgb4> reflectance, const BounceBound& bound,
               Task& task);

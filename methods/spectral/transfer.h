@@ -20,7 +20,7 @@ struct Transfer {
   std::vector<std::uint32_t> vertex_of_slot, slot_of_vertex;
   SpectralBasis basis;
   TransferMatrix one_bounce;                    ///< T^s, one row for each slot
-  std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one a channel
+  std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one per channel
   std::vector<std::uint32_t> glossy_slots;      ///< the slots that have harmonic slices
   std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row
   std::vector<TransferMatrix> harmonic_slices;  ///< T_k^s, k = 1…15; that of the constant harmonic is T^s times it

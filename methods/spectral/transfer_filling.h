@@ -1,4 +1,4 @@
-/// Fills the transfer matrices row by row, by rays from every vertex.
+/// The filling of the transfer matrices, row by row, by rays from every vertex.
 #pragma once
 
 #include "methods/spectral/transfer.h"

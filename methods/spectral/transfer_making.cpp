@@ -44,7 +44,7 @@ void make_slots(const Settings& settings, TransferMaking& making, Task& task) {
   for (std::uint32_t slot = 0; slot < partition.order.size(); ++slot) transfer.slot_of_vertex[partition.order[slot]] = slot;
   transfer.vertex_of_slot = std::move(partition.order);
   if (static_cast<std::size_t>(settings.basis_functions) > graph.size())
-    making.message = fmt::format("{} basis functions asked for, {} vertices: the basis is complete with one a vertex",
+    making.message = fmt::format("{} basis functions asked for, {} vertices: the basis is complete with one per vertex",
                                  settings.basis_functions, graph.size());
   task.count("parts", transfer.basis.parts().size());
   task.count("basis_functions", transfer.basis.functions());

@@ -1,4 +1,4 @@
-/// Makes mesh, basis and transfer matrices.
+/// The making of mesh, basis and transfer matrices.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gibench::spectral {
 
-/// What prepare() is to make, besides the settings.
+/// What prepare() is to make, in addition to the settings.
 struct TransferWish {
   std::vector<bool> glossy_objects;  ///< whose vertices get harmonic slices; empty: none
   std::vector<Rgb4> reflectance;     ///< ρ/π of every object, 1/sr; for T*

@@ -127,7 +127,7 @@ void TransferMatrix::append(const Section& section) {
 }
 
 void TransferMatrix::multiply(std::span<const Rgb4> light, std::span<Rgb4> out, Task& task) const {
-  GIBENCH_CHECK(light.size() == columns() && out.size() == rows(), "one light a column, one answer a row");
+  GIBENCH_CHECK(light.size() == columns() && out.size() == rows(), "one light per column, one answer per row");
   std::vector<Rgb4> scaled(light.begin(), light.end());
   for (std::size_t c = 0; c < truncation_.importance.size(); ++c) scaled[c] = Rgb(light[c]) / truncation_.importance[c];
   task.parallel_chunks(first_row_.size() - 1, block_chunk, [&](const ChunkRange& range) {

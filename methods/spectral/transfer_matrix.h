@@ -16,7 +16,7 @@ constexpr std::size_t block_rows = lane_count;
 
 /// What is left out of the rows of a matrix. As it is made: exact zeros alone, and values are floats.
 struct Truncation {
-  std::vector<float> importance;  ///< > 0, one a column: how much light it usually carries; empty: nothing else is left out
+  std::vector<float> importance;  ///< > 0, one per column: how much light it usually carries; empty: nothing else is left out
   float threshold = 0.0F;         ///< a block keeps columns of which the root mean square value times importance is above it
 };
 

@@ -21,7 +21,7 @@ struct TrialLights {
 TrialLights trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
                          std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task);
 
-/// The same with light of one radiance everywhere besides, `ambient` times their means: what bounces add to them.
+/// The same plus light of one radiance everywhere, `ambient` times their means: what bounces add to them.
 TrialLights with_ambient(TrialLights lights, const SpectralBasis& basis, float ambient);
 
 }  // namespace gibench::spectral

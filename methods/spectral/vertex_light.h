@@ -9,8 +9,8 @@
 
 namespace gibench::spectral {
 
-/// Irradiance straight from the lights, W/m², one a slot: the mean over the triangles around the vertex, weighted with the
-/// vertex's hat function, ∫ E φ_v / ∫ φ_v, at `direct_points` stratified points a triangle. No light is lost between vertices:
+/// Irradiance straight from the lights, W/m², one per slot: the mean over the triangles around the vertex, weighted with the
+/// vertex's hat function, ∫ E φ_v / ∫ φ_v, at `direct_points` stratified points per triangle. No light is lost between vertices:
 /// Σ area · E is the light that falls on the scene.
 std::vector<Rgb4> direct_irradiance(const World& world, const Transfer& transfer, const DirectLight& light,
                                     const Settings& settings, Task& task);

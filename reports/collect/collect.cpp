@@ -127,7 +127,7 @@ StudyRelight relight_of(const Json& entry, Study& study) {
   return relight;
 }
 
-/// A list of objects; empty where it is absent. Throws InputError where it is something else.
+/// A list of objects; empty where it is absent. Throws InputError where it is not a list.
 Json entries(const Json& manifest, const std::string& name, const fs::path& file) {
   const Json list = manifest.value(name, Json::array());
   if (!list.is_array() || !std::all_of(list.begin(), list.end(), [](const Json& item) { return item.is_object(); }))
@@ -153,12 +153,12 @@ void list_missing_scenes(Study& study) {
 
 Study collect_study(const fs::path& folder) {
   const fs::path file = folder / "manifest.json";
-  const std::string mend = "give the folder that `gibench study STUDY.json --out DIR` wrote";
-  if (!fs::is_directory(folder)) throw InputError(folder.string(), "is not a folder", mend);
-  if (!fs::exists(file)) throw InputError(folder.string(), "holds no manifest.json, so it is not a study", mend);
+  const std::string remedy = "give the folder that `gibench study STUDY.json --out DIR` wrote";
+  if (!fs::is_directory(folder)) throw InputError(folder.string(), "is not a folder", remedy);
+  if (!fs::exists(file)) throw InputError(folder.string(), "holds no manifest.json, so it is not a study", remedy);
   const Json manifest = read_json_file(file);
   if (!manifest.is_object() || count_at(manifest, "gibench_study") != std::uint64_t{1})
-    throw InputError(file.string(), "is not a study manifest of version 1 (\"gibench_study\": 1)", mend);
+    throw InputError(file.string(), "is not a study manifest of version 1 (\"gibench_study\": 1)", remedy);
 
   Study study;
   study.folder = folder;

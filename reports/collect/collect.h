@@ -1,4 +1,4 @@
-/// Reads a study folder into records.
+/// The reading of a study folder into records.
 #pragma once
 
 #include <filesystem>

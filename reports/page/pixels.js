@@ -51,7 +51,7 @@
     return sum;
   }
 
-  // One number a pixel, channels averaged: |x − r|, or |x − r| / (|r| + 0.01), whose mean is mape(0.01).
+  // One number per pixel, channels averaged: |x − r|, or |x − r| / (|r| + 0.01), whose mean is mape(0.01).
   function errorMap(x, r, relative) {
     const map = new Float32Array(r.length / 3);
     for (let i = 0, at = 0; i < map.length; i += 1) {

@@ -1,4 +1,4 @@
-/// Writes the files of a report.
+/// The writing of the files of a report.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// When two answers are taken as the same. Every tolerance of the contract stands here, with its reason.
+/// The tolerances of the contract, each with its reason: when two answers count as the same.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline constexpr double rounding_of_value = 1e-4, rounding_of_mean = 1e-5;
 /// Standard errors of a mean difference. About 500 means of twenty values and more are compared in all: at five
 /// standard errors one of them strays in a hundred sets of seeds.
 inline constexpr double standard_errors = 5.0;
-/// Share of the scene's mean by which two means may differ besides: methods with elements of finite size place
+/// Share of the scene's mean by which two means may also differ: methods with elements of finite size place
 /// them anew when the scene is turned, scaled or lit otherwise, and two placements differ by their own error.
 inline constexpr double placement_share = 0.03;
 /// Samples of one object below which no mean is taken.

@@ -108,7 +108,7 @@ void verify_light_paths_are_told(const MethodEntry& entry) {
     try {
       return PathAutomaton(paths);
     } catch (const InputError& error) {
-      throw Violation(fmt::format("its light paths are no expression: {}", error.what()));
+      throw Violation(fmt::format("its light paths are not an expression: {}", error.what()));
     }
   };
   automaton_of(entry.light_paths);

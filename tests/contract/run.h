@@ -12,7 +12,7 @@
 namespace gibench::contract {
 
 struct Answer {
-  std::vector<Rgb> direct, indirect;  ///< one value a sample
+  std::vector<Rgb> direct, indirect;  ///< one value per sample
 };
 
 struct RunOptions {

@@ -1,4 +1,4 @@
-# Sourced by the style checks: lists the project's own files, one a line, from the project's folder.
+# Sourced by the style checks: lists the project's own files, one per line, from the project's folder.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export LC_ALL=C.UTF-8

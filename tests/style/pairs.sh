@@ -17,7 +17,7 @@ unpaired_headers+='|^methods/antiradiance/strategy\.h$|^tests/contract/contract\
 
 said=$(own_files | grep -E '\.(cpp|h|cpp\.in)$' | awk -v sources="$unpaired_sources" -v headers="$unpaired_headers" '
   function stem(path) { sub(/\.(h|cpp|cpp\.in)$/, "", path); return path }
-  # The function that a statement at the left margin declares or defines; empty where it is none.
+  # The function that a statement at the left margin declares or defines; empty where it does neither.
   function name_in(text) {
     if (text !~ /^[A-Za-z_:\[]/ || !match(text, /[ *&][a-z_0-9]+\(/)) return ""
     return substr(text, RSTART + 1, RLENGTH - 2)

@@ -25,6 +25,8 @@ check_headers() {
   if [ -n "$found" ]; then fault "$found"$'\n'"  a header starts with #pragma once"; fi
   found=$(source_files | grep '\.h$' | xargs -r awk 'FNR == 1 && !/^\/\/\// { print FILENAME }')
   if [ -n "$found" ]; then fault "$found"$'\n'"  a header's first line says what it holds (/// ...)"; fi
+  found=$(source_files | grep '\.h$' | xargs -r awk 'FNR == 1 && /^\/\/\/ (What|Which|How|Where|Whether|Why|When|Who)[ ,:]/ { print FILENAME ": " $0 }')
+  if [ -n "$found" ]; then fault "$found"$'\n'"  a header's first line names what it holds: 'The end of a run', not 'How a run ended'"; fi
 }
 
 # forbid WHERE PATTERN WHY [EXCEPT]: no source file under WHERE includes a path that matches.
@@ -64,7 +66,7 @@ check_common() {
   for folder in common/*/; do
     folder=${folder#common/} folder=${folder%/}
     if [[ "|${common_order[*]}|" != *"|$folder|"* ]]; then
-      fault "common/$folder: has no place in the order of common/ (common_order in tests/style/structure.sh, CONTRIBUTING.md)"
+      fault "common/$folder: has no place in the order of common/ (common_order in tests/style/structure.sh, docs/architecture.md)"
     fi
   done
   for ((i = 0; i + 1 < ${#common_order[@]}; ++i)); do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tidy.sh BUILD_FOLDER [FILE...]: clang-tidy with the checks of .clang-tidy on source files of the build. Without files:
 # those that differ from GIBENCH_BASE (default: the last commit's parent); all of them with GIBENCH_TIDY=all. About ten
-# seconds a file and core. The build folder must have no precompiled headers: clang cannot read those of g++.
+# seconds per file and core. The build folder must have no precompiled headers: clang cannot read those of g++.
 build=$(realpath "$1")
 shift
 source "$(dirname "${BASH_SOURCE[0]}")/files.sh"
@@ -43,7 +43,7 @@ if [ -z "$files" ]; then
   exit 0
 fi
 printf '%s\n' "$files" >&2
-# The compiler is g++: what clang does not know about its options is no fault.
+# The compiler is g++: what clang does not know about its options is not a fault.
 printf '%s\n' "$files" | tr '\n' '\0' | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy --quiet -p "$build" \
   --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-error
 echo "no faults"

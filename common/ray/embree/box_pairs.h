@@ -11,6 +11,7 @@
 
 namespace gibench {
 
+/// A box along the axes, both ends included.
 struct Box {
   Vec3 low{0.0F}, high{0.0F};
 };

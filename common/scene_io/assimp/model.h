@@ -15,21 +15,25 @@ struct ModelPart {
   ObjectGeometry geometry;
 };
 
+/// A material, and whether its surfaces are two-sided, which a scene says of its objects.
 struct ModelMaterial {
   Material material;
   bool two_sided = false;
 };
 
+/// A punctual light of the file.
 struct ModelLight {
   Light light;
   Vec3d position{0.0};  ///< file coordinates; unused by directional lights
 };
 
+/// A camera of the file.
 struct ModelCamera {
   Camera camera;
   Vec3d position{0.0}, look_at{0.0};
 };
 
+/// Everything that was read.
 struct Model {
   std::vector<ModelPart> parts;
   std::vector<ModelMaterial> materials;

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 
 /// What a call tells the process that started it.
-std::optional<ErrorRecord> told(const Workshop& shop, const std::vector<std::string>& arguments) {
+std::optional<ErrorRecord> reported(const Workshop& shop, const std::vector<std::string>& arguments) {
   shop.gibench(arguments, std::string(error_file_variable) + "=error.json");
   return read_error_record(shop / "error.json");
 }
@@ -19,15 +19,15 @@ std::optional<ErrorRecord> told(const Workshop& shop, const std::vector<std::str
 TEST(ErrorRecord, TellsTheParentByACodeWhatWentWrong) {
   const Workshop shop;
   shop.write("room.scene.json", room_scene());
-  EXPECT_FALSE(told(shop, {"check", "room.scene.json", "--quiet"}).has_value()) << "nothing went wrong";
+  EXPECT_FALSE(reported(shop, {"check", "room.scene.json", "--quiet"}).has_value()) << "nothing went wrong";
   nlohmann::ordered_json lacking = room_scene();
   lacking["objects"].push_back({{"name", "statue"}, {"material", "wall"}, {"file", "statue-nowhere.obj"}});
   shop.write("lacking.scene.json", lacking);
-  const auto missing = told(shop, {"check", "lacking.scene.json"});
+  const auto missing = reported(shop, {"check", "lacking.scene.json"});
   ASSERT_TRUE(missing.has_value());
   EXPECT_EQ(missing->code, ErrorCode::missing_file);
   EXPECT_THAT(missing->message, HasSubstr("statue-nowhere.obj"));
-  const auto wrong = told(shop, {"run", "room.scene.json", "--method", "magic"});
+  const auto wrong = reported(shop, {"run", "room.scene.json", "--method", "magic"});
   ASSERT_TRUE(wrong.has_value());
   EXPECT_EQ(wrong->code, ErrorCode::bad_input);
   EXPECT_THAT(wrong->message, HasSubstr("magic"));

@@ -1,4 +1,4 @@
-/// Calls the built program as a user would, and writes the small files that it is called with.
+/// The built program, called as a user would, and the small files that it is called with.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct Outcome {
   int status = -1;  ///< exit status; 128 + signal where a signal ended it
   std::string out, error;
 
-  /// stdout as JSON; a test failure and null where it is none.
+  /// stdout as JSON; a test failure and null where it is not JSON.
   nlohmann::ordered_json json() const;
   /// Lines on stderr.
   std::size_t error_lines() const;

@@ -346,7 +346,7 @@ TEST(Study, BadRelightsNamePlaceAndMend) {
   expect_bad_input(study(shop, with("parameters", {{"verts", 3}})), {"$.relights[0].parameters", "verts"});
   Json twice = relit_study();
   twice["relights"].push_back(twice["relights"][0]);
-  expect_bad_input(study(shop, twice), {"$.relights[1]", "stands twice"});
+  expect_bad_input(study(shop, twice), {"$.relights[1]", "appears twice"});
 }
 
 }  // namespace

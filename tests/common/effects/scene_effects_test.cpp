@@ -295,7 +295,7 @@ TEST(EffectPlan, WhatTheUserDoesNotAllowIsSkippedAndNotMissing) {
   const PlanLimits limits{EffectSet{Effect::direct}, {}, 0.0, {}};
   const EffectPlan plan = plan_effects(analyse_effects(world, limits), everything);
   EXPECT_EQ(plan.simulated, (EffectSet{Effect::direct, Effect::occlusion, Effect::colour}))
-      << "a choice of paths is no choice of shadows";
+      << "a choice of paths does not choose shadows";
   EXPECT_TRUE(plan.missing.empty());
   EXPECT_TRUE(plan.forbids(Effect::diffuse_indirect));
   EXPECT_TRUE(plan.skips_indirect());

@@ -109,11 +109,11 @@ TEST(Image, MissingAndForeignFilesAreNamed) {
   const ScratchFolder folder;
   EXPECT_THAT(reading_error(folder / "none.exr"), HasSubstr((folder / "none.exr").string() + ": no such image file"));
   EXPECT_THAT(reading_error(folder.path()), HasSubstr("no such image file"));
-  std::ofstream(folder / "text.png") << "this is no picture";
+  std::ofstream(folder / "text.png") << "this is not a picture";
   EXPECT_THAT(reading_error(folder / "text.png"), HasSubstr("cannot be read as an image"));
   std::ofstream(folder / "empty.exr").close();
   EXPECT_THAT(reading_error(folder / "empty.exr"), HasSubstr("cannot be read as an image"));
-  std::ofstream(folder / "picture.unknown") << "this is no picture";
+  std::ofstream(folder / "picture.unknown") << "this is not a picture";
   EXPECT_THAT(reading_error(folder / "picture.unknown"), HasSubstr("cannot be read as an image"));
 }
 

@@ -17,7 +17,7 @@
 namespace gibench {
 namespace {
 
-/// Answers 1 + index everywhere unless told otherwise.
+/// Answers 1 + index everywhere unless the test says otherwise.
 class ScriptedMethod : public TransportMethod {
  public:
   Capabilities can{
@@ -144,11 +144,11 @@ TEST_F(Session, AValueThatWasNotWrittenIsTold) {
 TEST_F(Session, AnswersAreFilledWithNanBeforeTheWork) {
   make_ready();
   direct.assign(samples.size(), Rgb(7.0F));
-  bool poisoned = true;
-  method.shading = [&](const ShadeAnswer& answer) { poisoned = std::isnan(answer.total_variance[0].r); };
+  bool holds_nan = true;
+  method.shading = [&](const ShadeAnswer& answer) { holds_nan = std::isnan(answer.total_variance[0].r); };
   std::vector<Rgb> total_variance(samples.size());
   const StageReport report = session.shade({Quantity::irradiance, samples, {}}, {direct, indirect, {}, {}, total_variance}, task);
-  EXPECT_TRUE(poisoned) << "the method saw what the caller had left";
+  EXPECT_TRUE(holds_nan) << "the method saw what the caller had left";
   EXPECT_EQ(report.termination, Termination::invalid_output) << "nobody wrote the total variance";
 }
 

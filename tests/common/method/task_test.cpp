@@ -38,12 +38,12 @@ TEST(Task, CancellingSkipsTheChunksLeft) {
 
 TEST(Task, ProgressIsToldAndKept) {
   TaskSettings settings;
-  std::vector<double> told;
-  settings.on_progress = [&](const ProgressPoint& point) { told.push_back(point.done); };
+  std::vector<double> reported;
+  settings.on_progress = [&](const ProgressPoint& point) { reported.push_back(point.done); };
   Task task(settings);
   task.progress("bounces", 0.5, 0.1);
   task.progress("bounces", 1.0);
-  EXPECT_EQ(told, (std::vector<double>{0.5, 1.0}));
+  EXPECT_EQ(reported, (std::vector<double>{0.5, 1.0}));
   ASSERT_EQ(task.history().size(), 2U);
   EXPECT_EQ(task.history()[0].residual, 0.1);
   EXPECT_LT(task.history()[1].residual, 0.0) << "none given";

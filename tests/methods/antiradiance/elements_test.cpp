@@ -69,7 +69,7 @@ TEST(Elements, InsideGeometryTakeNoPart) {
   for (std::uint32_t i = 0; i < made.elements.size(); ++i)
     if (made.elements.sheet(i) == 0 && made.elements.disc(i).normal.y > 0.5F)
       exposed += static_cast<double>(made.elements.disc(i).area);
-  // 16 points a cell: the covered share is known to within one sixteenth of the cells along the block's foot.
+  // 16 points per cell: the covered share is known to within one sixteenth of the cells along the block's foot.
   EXPECT_NEAR(exposed, 16.0 - 4.0, 32.0 * 0.0625 / 16.0 + 0.02);
 }
 

@@ -125,7 +125,7 @@ TEST(Refinement, TheNoiseGuardLeavesNoiseAlone) {
 }
 
 TEST(Refinement, TheReferenceForeseesTheTermsLeft) {
-  // Detail of 3% of the term is no detail where 9 more terms of the same size are to come.
+  // Detail of 3% of the term does not count as detail where 9 more terms of the same size are to come.
   const test::BasisScene scene = floor_scene(3);
   const auto ripple = [&](std::uint32_t p) {
     return Estimate{Rgb(1.0F + (scene.hierarchy.position(p).x < 0.5F ? 0.0F : 0.03F)), 0.0F};

@@ -129,11 +129,11 @@ TEST(PathTracer, ContinuesASequenceWhereItStopped) {
 }
 
 TEST(PathTracer, TellsItsVariance) {
-  // Over many seeds: the scatter of a value is the mean of the variances that it told, for both parts and their sum.
+  // Over many seeds: the scatter of a value is the mean of the variances that it reported, for both parts and their sum.
   const Tracer tracer(test::box_scene(), {{"samples", "64"}, {"replicates", "16"}});
   constexpr std::size_t points = 20;
   constexpr int seeds = 100;
-  std::array<double, 3> scatter{}, told{};
+  std::array<double, 3> scatter{}, reported{};
   std::vector<std::array<double, 6>> sums(points);
   for (int seed = 0; seed < seeds; ++seed) {
     const Values values = tracer.irradiance(points, static_cast<std::uint64_t>(seed) + 10);
@@ -141,14 +141,14 @@ TEST(PathTracer, TellsItsVariance) {
       const double direct = values.direct[i].g, indirect = values.indirect[i].g;
       const std::array<double, 3> parts{direct, indirect, direct + indirect};
       for (std::size_t part = 0; part < 3; ++part) sums[i][part] += parts[part], sums[i][part + 3] += parts[part] * parts[part];
-      told[0] += static_cast<double>(values.direct_variance[i].g) / seeds;
-      told[1] += static_cast<double>(values.indirect_variance[i].g) / seeds;
-      told[2] += static_cast<double>(values.total_variance[i].g) / seeds;
+      reported[0] += static_cast<double>(values.direct_variance[i].g) / seeds;
+      reported[1] += static_cast<double>(values.indirect_variance[i].g) / seeds;
+      reported[2] += static_cast<double>(values.total_variance[i].g) / seeds;
     }
   }
   for (const auto& sum : sums)
     for (std::size_t part = 0; part < 3; ++part) scatter[part] += (sum[part + 3] - sum[part] * sum[part] / seeds) / (seeds - 1);
-  for (std::size_t part = 0; part < 3; ++part) EXPECT_NEAR(told[part] / scatter[part], 1.0, 0.2) << part;
+  for (std::size_t part = 0; part < 3; ++part) EXPECT_NEAR(reported[part] / scatter[part], 1.0, 0.2) << part;
 }
 
 TEST(PathTracer, KnowsVarianceOnlyFromTwoReplicatesOn) {

@@ -15,7 +15,7 @@ TEST(ImageStartUp, OpenImageIoIsLoadedByTheFirstPictureOnly) {
   EXPECT_FALSE(openimageio_is_loaded());
   const test::ScratchFolder folder;
   EXPECT_ANY_THROW(read_image(folder / "none.exr"));
-  EXPECT_FALSE(openimageio_is_loaded()) << "a missing file is told without it";
+  EXPECT_FALSE(openimageio_is_loaded()) << "a missing file is reported without it";
   write_png(folder / "a.png", {1, 1, {Rgb(0.5F)}});
   EXPECT_TRUE(openimageio_is_loaded());
 }

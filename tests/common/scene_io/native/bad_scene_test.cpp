@@ -13,12 +13,12 @@ struct BadScene {
   std::string name;
   std::string pointer;  ///< what is changed in full_scene(), as a JSON pointer
   json value;           ///< what stands there instead
-  std::string place, problem, mend;
+  std::string place, problem, remedy;
 };
 
 class BadSceneTest : public testing::TestWithParam<BadScene> {};
 
-TEST_P(BadSceneTest, IsOneLineWithPlaceProblemAndMend) {
+TEST_P(BadSceneTest, IsOneLineWithPlaceProblemAndRemedy) {
   const BadScene& bad = GetParam();
   json scene = full_scene();
   scene[json::json_pointer(bad.pointer)] = bad.value;
@@ -26,7 +26,7 @@ TEST_P(BadSceneTest, IsOneLineWithPlaceProblemAndMend) {
   EXPECT_THAT(error, testing::StartsWith("box.scene.json: " + bad.place + ": "));
   EXPECT_THAT(error, HasSubstr(bad.problem));
   EXPECT_THAT(error, HasSubstr("; "));
-  EXPECT_THAT(error, HasSubstr(bad.mend));
+  EXPECT_THAT(error, HasSubstr(bad.remedy));
   EXPECT_EQ(error.find_first_of("\n\r"), std::string::npos);
 }
 
@@ -192,9 +192,9 @@ TEST(BadScene, TwoObjectsOfOneName) {
 TEST(BadScene, KeyTwiceInOneObject) {
   const auto parse = [](const std::string& text) { return error_of([&] { parse_scene(text, "box.scene.json"); }); };
   EXPECT_EQ(parse(R"({"materials": {"white": {}, "white": {}}})"),
-            "box.scene.json: $.materials: the key \"white\" stands twice; rename or remove one of them");
+            "box.scene.json: $.materials: the key \"white\" appears twice; rename or remove one of them");
   EXPECT_EQ(parse(R"({"objects": [1, [2], {"a b": {"x": 1, "x": 2}}]})"),
-            "box.scene.json: $.objects[2][\"a b\"]: the key \"x\" stands twice; rename or remove one of them");
+            "box.scene.json: $.objects[2][\"a b\"]: the key \"x\" appears twice; rename or remove one of them");
 }
 
 TEST(BadScene, SyntaxErrorsNameLineAndColumn) {

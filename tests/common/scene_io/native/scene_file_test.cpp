@@ -40,7 +40,7 @@ TEST(SceneFile, QuadsAndTrianglesAreKept) {
   ASSERT_EQ(scene.faces.size(), 3U);
   EXPECT_TRUE(scene.faces[0].is_quad());
   EXPECT_FALSE(scene.faces[1].is_quad());
-  EXPECT_TRUE(scene.faces[2].is_quad());  // a repeated corner is no error
+  EXPECT_TRUE(scene.faces[2].is_quad());  // a repeated corner is not an error
   EXPECT_THAT(scene.faces[0].corners, ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(scene.faces[1].corners, ElementsAre(0, 1, 2, 2));
   EXPECT_EQ(scene.triangles.size(), 5U);

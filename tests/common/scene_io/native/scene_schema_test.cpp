@@ -31,7 +31,7 @@ void collect_used_keys(const json& node, std::set<std::string>& keys) {
     for (const json& element : node) collect_used_keys(element, keys);
 }
 
-/// full_scene() with a model, a picture and their keys besides.
+/// full_scene() with a model, a picture and their keys added.
 json full_scene_with_files(const ScratchFolder& folder) {
   write_text(folder / "plate.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   write_text(folder / "sky.pfm", "PF\n2 1\n-1.0\n" + std::string(24, '\0'));
