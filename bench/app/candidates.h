@@ -1,4 +1,4 @@
-/// What may stand next in a call that is being typed: what shell completion offers.
+/// The words that may stand next in a call that is being typed: what shell completion offers.
 #pragma once
 
 #include <string>
