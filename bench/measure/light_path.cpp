@@ -118,8 +118,8 @@ class LightPath {
     Scene scene;
     scene.origin = scene_.origin;
     scene.materials = scene_.materials;
-    SceneBuilder builder(scene);
-    read_edits(edits, written_lights_, place, scene_.file.parent_path(), builder);
+    SceneAssembler assembler(scene);
+    read_edits(edits, written_lights_, place, scene_.file.parent_path(), assembler);
     return scene.edits;
   }
 

@@ -5,11 +5,11 @@
 
 #include "common/effects/scene_effects.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "tests/contract/compare.h"
 #include "tests/contract/contract.h"
 #include "tests/contract/run.h"
 #include "tests/contract/scenes.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::contract {
 
@@ -17,7 +17,7 @@ namespace {
 
 /// The plain box against itself moved, at the same points of its surfaces.
 void verify_unmoved_by(const MethodEntry& entry, float scale, const Vec3& axis, float degrees, const std::string& what) {
-  const World still(plain_box()), moved(test::transformed(plain_box(), scale, axis, degrees));
+  const World still(plain_box()), moved(made::transformed(plain_box(), scale, axis, degrees));
   const auto samples = samples_of(still), moved_samples = carried_over(moved, samples);
   for (const Quantity quantity : light_quantities(entry))
     require_same_means(fresh_answer(entry, still, quantity, samples), fresh_answer(entry, moved, quantity, moved_samples),
