@@ -49,7 +49,7 @@ struct StudyRelight {
 };
 
 struct StudyReference {
-  std::optional<std::uint64_t> samples;
+  std::optional<std::uint64_t> samples_per_replica;
   std::optional<double> target_error;
   int replicas = 8;
   std::optional<double> time_limit_seconds;

@@ -14,7 +14,7 @@ std::string StudyRunner::key_of(const PlannedRun& run) const {
   const SceneState& scene = scenes_[run.scene];
   // The samples of the reference count: a better one gives other errors.
   const std::string reference_state =
-      scene.reference ? scene.reference->facts.key + std::to_string(scene.reference->facts.samples()) : "none";
+      scene.reference ? scene.reference->facts.key + std::to_string(scene.reference->facts.total_samples()) : "none";
   return run_key(study_, run, common_, scene.check.at("key").get<std::string>(), reference_state);
 }
 

@@ -18,7 +18,8 @@ std::vector<std::string> StudyRunner::reference_arguments(std::size_t scene, con
       "--replicas", std::to_string(goal.replicas),      "--seed",       std::to_string(measuring.reference_seed)};
   const std::vector<std::string> where = arguments_of(measuring);
   arguments.insert(arguments.end(), where.begin(), where.end());
-  if (goal.samples) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples)});
+  if (goal.samples_per_replica)
+    arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples_per_replica)});
   if (goal.target_error) arguments.insert(arguments.end(), {"--target-error", fmt::format("{}", *goal.target_error)});
   return arguments;
 }

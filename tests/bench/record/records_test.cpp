@@ -128,7 +128,7 @@ TEST(ReferenceRecord, IsReadAsItWasWritten) {
   write_file_atomically(folder / reference_file, to_json(record).dump(2));
   const ReferenceRecord read = read_reference_record(folder / reference_file);
   EXPECT_EQ(to_json(read).dump(2), to_json(record).dump(2));
-  EXPECT_EQ(read.facts.samples(), 512U);
+  EXPECT_EQ(read.facts.total_samples(), 512U);
 }
 
 TEST(ProcessRecord, IsReadAsItWasWritten) {
