@@ -3,6 +3,7 @@
 
 #include "bench/measure/measuring.h"
 #include "bench/measure/plan_options.h"
+#include "bench/measure/relight_options.h"
 
 namespace CLI {
 class App;
@@ -12,6 +13,8 @@ namespace gibench {
 
 /// --surface-samples, --pixel-samples, --camera, --width, --no-pictures, --bounces
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options);
+/// --frames, --surface-samples, --compared-samples, --reference-samples
+void add_relight_options(CLI::App& verb, RelightOptions& options);
 /// --bounces alone
 void add_bounces_option(CLI::App& verb, std::optional<int>& bounces);
 /// --effects and --tolerance

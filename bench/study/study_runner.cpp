@@ -259,24 +259,14 @@ void StudyRunner::relight_one(const PlannedRelight& planned) {
   const StudyRelight& relight = study_.relights[planned.relight];
   run_for(planned.id, key_of(planned), [&](const fs::path& made) {
     make_folder(made);
-    std::vector<std::string> arguments{"relight",
-                                       study_.scenes[relight.scene].file.string(),
-                                       "--method",
-                                       relight.method,
-                                       "--lights",
-                                       relight.lights.string(),
-                                       "--out",
-                                       (made / relight_file).string(),
-                                       "--seed",
-                                       std::to_string(common_.seed),
-                                       "--surface-samples",
-                                       std::to_string(relight.surface_samples),
-                                       "--compared-samples",
-                                       std::to_string(relight.compared_samples),
-                                       "--reference-samples",
-                                       std::to_string(relight.reference_samples)};
+    std::vector<std::string> arguments{"relight",  study_.scenes[relight.scene].file.string(),
+                                       "--method", relight.method,
+                                       "--lights", relight.lights.string(),
+                                       "--out",    (made / relight_file).string(),
+                                       "--seed",   std::to_string(common_.seed)};
     for (const std::string& setting : relight.settings) arguments.insert(arguments.end(), {"--set", setting});
-    if (relight.frames) arguments.insert(arguments.end(), {"--frames", std::to_string(*relight.frames)});
+    const std::vector<std::string> options = arguments_of(relight.options);
+    arguments.insert(arguments.end(), options.begin(), options.end());
     return arguments;
   });
 }

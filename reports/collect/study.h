@@ -90,7 +90,7 @@ struct StudyRun {
   std::optional<double> transport_seconds(Domain domain) const;
 };
 
-/// A method prepared once and lit along a path.
+/// A method prepared once and lit by moving lights.
 struct StudyRelight {
   std::string id, label, scene, method, lights;
   Facts parameters;
