@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/measure/work_options.h"
+#include "bench/record/study_record.h"
 #include "bench/study/study_file.h"
 
 namespace gibench {
@@ -37,7 +38,7 @@ std::string relight_key(const StudyRelight& relight, const WorkOptions& common, 
 /// The folders of a study's results.
 struct StudyFolders {
   std::filesystem::path root;
-  std::filesystem::path manifest() const { return root / "manifest.json"; }
+  std::filesystem::path manifest() const { return root / manifest_file; }
   std::filesystem::path run(const std::string& id) const { return root / "runs" / id; }
   std::filesystem::path reference(const std::string& scene) const { return root / "references" / scene; }
   std::filesystem::path scratch() const { return root / "scratch"; }

@@ -16,6 +16,7 @@
 #include "bench/record/process_record.h"
 #include "bench/record/relight_record.h"
 #include "bench/record/run_record.h"
+#include "bench/study/child_outcome.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/reference/folder_replacement.h"
@@ -25,7 +26,6 @@ namespace gibench {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// Calls work(0), …, work(count − 1) on `jobs` threads; the first exception is thrown here once all threads ended.
 void for_each_job(int jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -46,37 +46,6 @@ void for_each_job(int jobs, std::size_t count, const std::function<void(std::siz
   take_jobs();
   for (std::thread& thread : threads) thread.join();
   if (first_error) std::rethrow_exception(first_error);
-}
-
-/// Why a process that ended by itself has no result, in words.
-std::string message_of(const ChildResult& child) { return child.error ? child.error->message : child.last_line; }
-
-bool told(const ChildResult& child, ErrorCode code) { return child.error && child.error->code == code; }
-
-RunStatus status_of(const ChildResult& child) {
-  switch (child.end) {
-    case ChildEnd::timed_out: return RunStatus::timed_out;
-    case ChildEnd::signalled: return RunStatus::crashed;
-    case ChildEnd::over_memory:
-    case ChildEnd::cancelled: return RunStatus::failed;
-    case ChildEnd::exited: break;
-  }
-  if (child.exit_code == 0) return RunStatus::done;
-  return told(child, ErrorCode::refused) ? RunStatus::refused : RunStatus::failed;
-}
-
-std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
-  switch (child.end) {
-    case ChildEnd::timed_out: return fmt::format("stopped at its time limit of {} s", *limits.seconds);
-    case ChildEnd::over_memory:
-      return fmt::format("stopped at its memory limit of {} MB", static_cast<double>(*limits.bytes) / (1024.0 * 1024.0));
-    case ChildEnd::signalled:
-      return fmt::format("ended by a signal: {}{}{}", describe_signal(child.signal), child.last_line.empty() ? "" : "; ",
-                         child.last_line);
-    case ChildEnd::cancelled: return "cancelled";
-    case ChildEnd::exited: break;
-  }
-  return child.exit_code == 0 ? std::string() : message_of(child);
 }
 
 /// Of the work, as the run's record tells it; 0 where there is no record.
@@ -149,14 +118,14 @@ void StudyRunner::check_scenes() {
     const StudyScene& scene = study_.scenes[s];
     const ChildResult result = child({"check", scene.file.string(), "--json"}, {}, "check-" + scene.name);
     stop_if_cancelled();
-    if (result.end == ChildEnd::exited && result.exit_code == 0) {
-      scenes_[s].check = Json::parse(result.out);
+    if (succeeded(result)) {
+      scenes_[s].check = check_record_of(nlohmann::ordered_json::parse(result.out));
       if (study_.reference) scenes_[s].reference = reference_if_there(scene.name);
     } else if (told(result, ErrorCode::missing_file)) {  // of models that are not on this machine
-      scenes_[s].skipped = message_of(result);
+      scenes_[s].skipped = reason_of(result, {});
       tell(fmt::format("skipped {}: {}", scene.name, *scenes_[s].skipped));
     } else if (told(result, ErrorCode::bad_input)) {
-      throw InputError("scene " + scene.name, message_of(result));
+      throw InputError("scene " + scene.name, reason_of(result, {}));
     } else {
       throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));
     }
@@ -226,7 +195,7 @@ void StudyRunner::run_for(const std::string& id, const std::string& key,
     fs::remove_all(made, ignored);
     return;
   }
-  record(id, result, key, made);
+  keep(id, result, key, made);
 }
 
 void StudyRunner::run_one(const PlannedRun& run) {
@@ -271,7 +240,7 @@ void StudyRunner::relight_one(const PlannedRelight& planned) {
   });
 }
 
-void StudyRunner::record(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
+void StudyRunner::keep(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
   const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
   const std::string reason = reason_of(child_result, limits);
   ProcessRecord entry;
