@@ -15,16 +15,16 @@ namespace gibench {
 
 namespace {
 
-const MeasuringField& field_of(std::string_view option) {
-  const std::span<const MeasuringField> fields = measuring_fields();
-  const auto found =
-      std::find_if(fields.begin(), fields.end(), [&](const MeasuringField& field) { return field.option == option; });
+const OptionField<MeasuringOptions>& field_of(std::string_view option) {
+  const auto fields = measuring_fields();
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.option == option; });
   GIBENCH_CHECK(found != fields.end(), "the table has this option");
   return *found;
 }
 
-CLI::Option* add_field(CLI::App& verb, const MeasuringField& field, MeasuringOptions& options) {
-  return std::visit(
+template <class Options>
+void add_field(CLI::App& verb, const OptionField<Options>& field, Options& options) {
+  CLI::Option* option = std::visit(
       [&](auto member) -> CLI::Option* {
         using Value = std::remove_reference_t<decltype(options.*member)>;
         if constexpr (std::is_same_v<Value, bool>)
@@ -39,6 +39,7 @@ CLI::Option* add_field(CLI::App& verb, const MeasuringField& field, MeasuringOpt
               ->check(CLI::Range(static_cast<int>(field.least), static_cast<int>(field.most)));
       },
       field.member);
+  if (field.shows_default) option->capture_default_str();
 }
 
 }  // namespace
@@ -57,15 +58,16 @@ void add_method_options(CLI::App& verb, std::string& method, std::vector<std::st
 }
 
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {
-  for (const MeasuringField& field : measuring_fields()) {
-    if (*field.key == '\0') continue;
-    CLI::Option* option = add_field(verb, field, options);
-    if (field.shows_default) option->capture_default_str();
-  }
+  for (const auto& field : measuring_fields())
+    if (*field.key != '\0') add_field(verb, field, options);
+}
+
+void add_relight_options(CLI::App& verb, RelightOptions& options) {
+  for (const auto& field : relight_fields()) add_field(verb, field, options);
 }
 
 void add_bounces_option(CLI::App& verb, std::optional<int>& bounces) {
-  const MeasuringField& field = field_of("--bounces");
+  const auto& field = field_of("--bounces");
   verb.add_option(field.option, bounces, field.meaning)
       ->check(CLI::Range(static_cast<int>(field.least), static_cast<int>(field.most)));
 }
@@ -82,7 +84,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& options) {
 }
 
 void add_light_paths_option(CLI::App& verb, std::string& light_paths) {
-  const MeasuringField& field = field_of("--light-paths");
+  const auto& field = field_of("--light-paths");
   verb.add_option(field.option, light_paths, field.meaning);
 }
 

@@ -3,6 +3,7 @@
 
 #include "bench/measure/measuring.h"
 #include "bench/measure/plan_options.h"
+#include "bench/measure/relight_options.h"
 
 namespace CLI {
 class App;
@@ -16,6 +17,8 @@ void add_scene_argument(CLI::App& verb, std::string& scene);
 void add_method_options(CLI::App& verb, std::string& method, std::vector<std::string>& settings);
 /// --surface-samples, --pixel-samples, --camera, --width, --no-pictures, --bounces
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options);
+/// --frames, --surface-samples, --compared-samples, --reference-samples
+void add_relight_options(CLI::App& verb, RelightOptions& options);
 /// --bounces alone
 void add_bounces_option(CLI::App& verb, std::optional<int>& bounces);
 /// --effects and --tolerance

@@ -30,7 +30,7 @@ constexpr std::uint64_t most_samples = 1ULL << 20U;  // with a target and no bou
 struct ReferenceOptions {
   std::string scene;
   MeasuringOptions measuring;
-  std::optional<std::uint64_t> samples;
+  std::optional<std::uint64_t> samples_per_replica;
   std::optional<double> target_error;
   int replicas = 8;
   std::string shard = "0/1";
@@ -39,7 +39,7 @@ struct ReferenceOptions {
 };
 
 ReferenceGoal goal_of(const ReferenceOptions& options) {
-  return {options.samples.value_or(options.target_error ? most_samples : default_samples), options.target_error};
+  return {options.samples_per_replica.value_or(options.target_error ? most_samples : default_samples), options.target_error};
 }
 
 void check_replicas(const Reference& reference, int replicas, const fs::path& folder) {
@@ -101,7 +101,7 @@ std::optional<Reference> make_shard(const ReferenceOptions& options, const Loade
     throw InputError("--target-error", "shards cannot see one another's errors", "give --samples with --shard");
   if (shard.of > options.replicas)
     throw InputError("--shard", fmt::format("{} shards for {} replicates", shard.of, options.replicas), "ask for fewer shards");
-  const std::uint64_t samples = whole_samples(goal_of(options).samples, question);
+  const std::uint64_t samples = whole_samples(goal_of(options).samples_per_replica, question);
   const auto whole = ReferenceStore(options.store).find(scene.scene(), question);
   if (whole) check_replicas(*whole, options.replicas, ReferenceStore(options.store).folder_of(scene.scene(), question));
   if (whole && whole->samples_per_replica >= samples) return whole;
@@ -169,7 +169,7 @@ void add_reference(CLI::App& app, Call& call) {
   verb->add_option("--target-error", options->target_error, "Relative standard error of the indirect light at which to stop")
       ->check(CLI::Range(1e-6, 10.0));
   verb->add_option(
-          "--samples", options->samples,
+          "--samples", options->samples_per_replica,
           fmt::format("Paths per value (surface sample or pixel) in each replicate; {} without a target", default_samples))
       ->check(CLI::Range(std::uint64_t{1}, most_samples));
   verb->add_option("--replicas", options->replicas, "Independent replicates")->check(CLI::Range(2, 1024))->capture_default_str();

@@ -11,7 +11,7 @@
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
-#include "bench/measure/light_path.h"
+#include "bench/measure/moving_lights.h"
 #include "bench/measure/reference_making.h"
 #include "bench/measure/run_method.h"
 #include "bench/record/relight_record.h"
@@ -23,18 +23,17 @@ namespace gibench {
 
 namespace {
 
-struct RelightOptions {
+struct RelightCall {
   std::string scene, method;
   std::vector<std::string> settings;
-  std::filesystem::path path, out;
-  std::optional<int> frames, bounces;
-  std::size_t surface_samples = 1024, compared_samples = 0;
-  std::uint64_t reference_samples = 0;
+  std::filesystem::path lights, out;
+  std::optional<int> bounces;
+  RelightOptions relight;
 };
 
 constexpr int reference_replicas = 8;
 
-Lighting lighting_of(const PathFrame& frame) {
+Lighting lighting_of(const LightsFrame& frame) {
   Lighting lighting{frame.lights, {}};
   for (const Material& material : frame.materials) lighting.emission.push_back(material.emission);
   return lighting;
@@ -49,23 +48,24 @@ double root_mean_variance(const Replicas& replicas) {
 
 class Relighter {
  public:
-  Relighter(const RelightOptions& options, const CommonOptions& common, const MethodChoice& choice, std::unique_ptr<World> world)
+  Relighter(const RelightOptions& options, std::optional<int> bounces, const CommonOptions& common, const MethodChoice& choice,
+            std::unique_ptr<World> world)
       : options_(options),
         common_(common),
         choice_(choice),
         task_(make_task(common, world->scene().name + ", " + choice.entry->name)),
         world_(std::move(world)) {
-    measuring_.bounces = options.bounces;
-    question_ = {path_class(options.bounces), common.seed, options.surface_samples, std::nullopt, 1};
+    measuring_.bounces = bounces;
+    question_ = {path_class(bounces), common.seed, options.surface_samples, std::nullopt, 1};
     points_ = measuring_points(*world_, question_, common.threads);
     if (options.compared_samples > 0) question_.surface_samples = options.compared_samples;
   }
 
-  void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, PlanOptions{}, options_.bounces, task_, log); }
+  void prepare(RunLog& log) { lit_ = prepare_and_light(*world_, choice_, PlanOptions{}, measuring_.bounces, task_, log); }
   double prepare_seconds() const { return lit_.stages.front().report.seconds; }
   const Scene& scene() const { return world_->scene(); }
 
-  RelitFrame relight(const PathFrame& frame) {
+  RelitFrame relight(const LightsFrame& frame) {
     RelitFrame record;
     record.at = frame.at;
     const Lighting lighting = lighting_of(frame);
@@ -93,14 +93,14 @@ class Relighter {
   }
 
   /// The same geometry with the frame's lights and materials.
-  Scene scene_at(const PathFrame& frame) const {
+  Scene scene_at(const LightsFrame& frame) const {
     Scene scene = world_->scene();
     scene.lights = frame.lights;
     scene.materials = frame.materials;
     return scene;
   }
 
-  void switch_materials(const PathFrame& frame, const Lighting& lighting, RelitFrame& record) {
+  void switch_materials(const LightsFrame& frame, const Lighting& lighting, RelitFrame& record) {
     auto after = std::make_unique<World>(scene_at(frame), *world_);
     for (const MaterialEdit& edit : frame.switched) {
       keep(record, lit_.method->edit(edit, *after, lighting, task_));
@@ -109,7 +109,7 @@ class Relighter {
     world_ = std::move(after);
   }
 
-  void compare(const PathFrame& frame, const Answers& answers, RelitFrame& record) const {
+  void compare(const LightsFrame& frame, const Answers& answers, RelitFrame& record) const {
     LoadedScene lit{std::make_unique<World>(scene_at(frame), *world_)};
     Reference reference{question_, 0, 0.0, {}, {}};
     CommonOptions quietly = common_;
@@ -154,17 +154,17 @@ void print_summary(const RelightSummary& summary) {
   fmt::print("  preparing      is paid for after this many frames: {}\n", bounded_text(*summary.frames_that_pay));
 }
 
-ExitStatus relight(const RelightOptions& options, const CommonOptions& common) {
+ExitStatus relight(const RelightCall& options, const CommonOptions& common) {
   const MethodChoice choice = choose_method(options.method, options.settings);
   require_relighting(choice);
   require_irradiance(choice);
   LoadedScene loaded = load_world(options.scene, common.threads);
-  const std::vector<PathFrame> path = read_light_path(options.path, loaded.scene(), options.frames);
+  const std::vector<LightsFrame> frames = read_moving_lights(options.lights, loaded.scene(), options.relight.frames);
   RunLog log({}, common.quiet);
-  Relighter relighter(options, common, choice, std::move(loaded.world));
+  Relighter relighter(options.relight, options.bounces, common, choice, std::move(loaded.world));
   relighter.prepare(log);
   RelightRecord record{relighter.scene().name, choice.entry->name, common.seed, choice.parameters.values(), {}, {}};
-  for (const PathFrame& frame : path) {
+  for (const LightsFrame& frame : frames) {
     record.frames.push_back(relighter.relight(frame));
     stop_if_cancelled();
   }
@@ -181,24 +181,13 @@ void add_relight(CLI::App& app, Call& call) {
   CLI::App* verb = add_verb(app, call, "relight", "Moves lights and switches materials: time and error of each relit frame");
   verb->group(verb_group::computing);
   set_pages(*verb, {"scenes/README.md", "docs/files.md"});
-  const auto options = std::make_shared<RelightOptions>();
+  const auto options = std::make_shared<RelightCall>();
   add_scene_argument(*verb, options->scene);
   add_method_options(*verb, options->method, options->settings);
-  verb->add_option("--lights", options->path, "JSON file of the moving lights; see scenes/README.md")
+  verb->add_option("--lights", options->lights, "JSON file of the moving lights; see scenes/README.md")
       ->type_name(value_kind::file)
       ->required();
-  verb->add_option("--frames", options->frames, "How many frames; without it as the file says")->check(CLI::Range(1, 1000000));
-  verb->add_option("--surface-samples", options->surface_samples, "Surface samples at which a frame's irradiance is asked")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
-      ->capture_default_str();
-  verb->add_option("--compared-samples", options->compared_samples,
-                   "Surface samples at which frames are compared; path tracing's time is scaled to all samples; 0: all of them")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{100'000'000}))
-      ->capture_default_str();
-  verb->add_option("--reference-samples", options->reference_samples,
-                   "Paths per value in each of the eight path-traced replicates that a frame is compared with; 0: no errors")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20))
-      ->capture_default_str();
+  add_relight_options(*verb, options->relight);
   verb->add_option("--out", options->out, "JSON file for the frames; with --json they go to stdout")->type_name(value_kind::file);
   add_bounces_option(*verb, options->bounces);
   verb->callback([&call, options] { call.action = [&call, options] { return relight(*options, call.common); }; });

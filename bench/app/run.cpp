@@ -121,7 +121,7 @@ void print_summary(const RunRecord& record) {
   fmt::print("{} on {}\n", record.method, record.scene);
   fmt::print("  {:<14} {:.3f} s\n", "load", record.load_seconds);
   for (const auto& [stage, report] : record.stages)
-    fmt::print("  {:<14} {:.3f} s, {}\n", stage, report.seconds, to_string(report.termination));
+    fmt::print("  {:<14} {:.3f} s, {}\n", to_string(stage), report.seconds, to_string(report.termination));
   print_errors("relative rmse", record.errors);
   if (record.split) {
     print_errors("model error", record.split->model);

@@ -49,12 +49,12 @@ void check_folder(const fs::path& out) {
     throw InputError(out.string(), "is not empty and holds no study", "choose another --out");
 }
 
-void print_summary(const Json& manifest, const fs::path& out) {
+void print_summary(const StudyRecord& record, const fs::path& out) {
   std::map<std::string, int> counts;
-  for (const Json& run : manifest.at("runs")) ++counts[run.at("status").get<std::string>()];
+  for (const StudyRunRecord& run : record.runs) ++counts[to_string(run.process.status)];
   std::string text;
   for (const auto& [status, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
-  fmt::print("{}: {}; results in {}\n", manifest.at("name").get<std::string>(), text, out.string());
+  fmt::print("{}: {}; results in {}\n", record.name, text, out.string());
 }
 
 ExitStatus study(StudyOptions options, const CommonOptions& common) {
@@ -70,9 +70,9 @@ ExitStatus study(StudyOptions options, const CommonOptions& common) {
                       FileLock::WhenTaken::refuse);
   StudyRunner runner(study, options.settings, common);
   runner.run();
-  const Json manifest = runner.manifest();
-  if (common.json) print_json(manifest);
-  else if (!common.quiet) print_summary(manifest, options.settings.out);
+  const StudyRecord record = runner.record();
+  if (common.json) print_json(to_json(record));
+  else if (!common.quiet) print_summary(record, options.settings.out);
   return ExitStatus::done;
 }
 

@@ -1,25 +1,11 @@
 #include "bench/measure/measuring_fields.h"
 
-#include <type_traits>
-
 namespace gibench {
 
-namespace {
-
-constexpr std::size_t most_bounces = 1'000'000;
-
-std::string text_of(const std::string& value) { return value; }
-std::string text_of(const std::optional<int>& value) { return value ? std::to_string(*value) : std::string(); }
-template <class Number>
-std::string text_of(Number value) {
-  return std::to_string(value);
-}
-
-}  // namespace
-
-std::span<const MeasuringField> measuring_fields() {
+std::span<const OptionField<MeasuringOptions>> measuring_fields() {
   using O = MeasuringOptions;
-  static const MeasuringField fields[] = {
+  constexpr std::size_t most_bounces = 1'000'000;
+  static const OptionField<O> fields[] = {
       {"--surface-samples", "surface_samples", "Surface samples at which irradiance is compared", &O::surface_samples, 1,
        100'000'000, true},
       {"--pixel-samples", "pixel_samples", "Camera rays per pixel, a square number", &O::pixel_samples, 1, 4096, true},
@@ -34,19 +20,6 @@ std::span<const MeasuringField> measuring_fields() {
   return fields;
 }
 
-std::vector<std::string> arguments_of(const MeasuringOptions& options) {
-  const MeasuringOptions defaults;
-  std::vector<std::string> arguments;
-  for (const MeasuringField& field : measuring_fields())
-    std::visit(
-        [&](auto member) {
-          if (options.*member == defaults.*member) return;
-          arguments.emplace_back(field.option);
-          if constexpr (!std::is_same_v<decltype(member), bool MeasuringOptions::*>)
-            arguments.push_back(text_of(options.*member));
-        },
-        field.member);
-  return arguments;
-}
+std::vector<std::string> arguments_of(const MeasuringOptions& options) { return arguments_of(measuring_fields(), options); }
 
 }  // namespace gibench

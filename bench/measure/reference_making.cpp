@@ -80,7 +80,7 @@ void keep(ReferenceValues& values, const Answers& answers) {
 }
 
 bool reached(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
-  if (reference.samples_per_replica >= goal.samples) return true;
+  if (reference.samples_per_replica >= goal.samples_per_replica) return true;
   return goal.target_error && reference.samples_per_replica > 0 &&
          facts_of(scene, reference).relative_standard_error() <= *goal.target_error;
 }
@@ -117,9 +117,9 @@ Replicas interleave(const std::vector<const Replicas*>& shards) {
 
 }  // namespace
 
-std::uint64_t whole_samples(std::uint64_t samples, const ReferenceQuestion& question) {
+std::uint64_t whole_samples(std::uint64_t samples_per_replica, const ReferenceQuestion& question) {
   const auto unit = static_cast<std::uint64_t>(question.camera ? question.pixel_samples : 1);
-  return (samples + unit - 1) / unit * unit;
+  return (samples_per_replica + unit - 1) / unit * unit;
 }
 
 void extend_reference(const LoadedScene& scene, const MeasuringOptions& measuring, const ReplicaSet& set,
@@ -129,18 +129,19 @@ void extend_reference(const LoadedScene& scene, const MeasuringOptions& measurin
   const ReplicaMaker maker(scene, question, measuring, common);
   const auto own = static_cast<std::size_t>(set.own());
   const std::shared_ptr<Progress> progress = common.progress_of("reference of " + scene.scene().name);
-  const ReferenceGoal whole_goal{whole_samples(goal.samples, question), goal.target_error};
+  const ReferenceGoal whole_goal{whole_samples(goal.samples_per_replica, question), goal.target_error};
   const std::uint64_t begun_with = reference.samples_per_replica;
   while (!reached(whole_goal, scene.scene(), reference)) {
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t before = reference.samples_per_replica;
-    const std::uint64_t after = std::min(whole_goal.samples, whole_samples(std::max(first_round, 2 * before), question));
+    const std::uint64_t after =
+        std::min(whole_goal.samples_per_replica, whole_samples(std::max(first_round, 2 * before), question));
     Reference more{question, after - before, 0.0, {}, {}};
     for (std::size_t i = 0; i < own; ++i) {
       const double in_round = static_cast<double>(i) / static_cast<double>(own);
       progress->update(fmt::format("{} samples", after),
                        (static_cast<double>(before - begun_with) + in_round * static_cast<double>(after - before)) /
-                           static_cast<double>(whole_goal.samples - begun_with));
+                           static_cast<double>(whole_goal.samples_per_replica - begun_with));
       const auto estimates = maker.make(set.shard + static_cast<int>(i) * set.of, before, after - before);
       keep(more.surface, estimates.surface);
       if (estimates.image) keep(more.image, *estimates.image);

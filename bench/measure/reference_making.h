@@ -15,7 +15,7 @@ namespace gibench {
 /// The method whose answers are the reference, and its parameters that say which samples each replicate takes.
 struct ReferenceMethod {
   static constexpr const char* name = "pathtracer";
-  static constexpr const char* samples = "samples";            ///< how many
+  static constexpr const char* samples = "samples";            ///< how many, over its own replicates: here one
   static constexpr const char* first_sample = "first_sample";  ///< the first one's index: what came before is not repeated
   /// Replicates of its own: one, as each replicate of the reference is one sequence, stratified as a whole.
   static constexpr const char* replicates = "replicates";
@@ -31,8 +31,8 @@ struct ReplicaSet {
 
 /// How far a reference is to go.
 struct ReferenceGoal {
-  std::uint64_t samples = 0;           ///< paths per value and replicate; with a target: at most
-  std::optional<double> target_error;  ///< relative standard error of the indirect light at which to stop
+  std::uint64_t samples_per_replica = 0;  ///< paths per value in each; with a target: at most
+  std::optional<double> target_error;     ///< relative standard error of the indirect light at which to stop
 };
 
 /// Continues `reference` (empty replicas: begins it) with rounds that at most double its samples until the goal is met.
@@ -44,7 +44,7 @@ void extend_reference(const LoadedScene& scene, const MeasuringOptions& measurin
                       const std::function<void(const Reference&)>& after_round);
 
 /// Every value's paths per replicate come in whole camera rays: the next multiple of pixel_samples.
-std::uint64_t whole_samples(std::uint64_t samples, const ReferenceQuestion& question);
+std::uint64_t whole_samples(std::uint64_t samples_per_replica, const ReferenceQuestion& question);
 
 /// The replicates that one shard of `of` has: those r with r mod of = shard.
 Reference shard_of(const Reference& whole, int shard, int of);

@@ -17,10 +17,11 @@ constexpr int most_compared = 256;  // bounces; an expression writes no larger b
 void log_stage(const StageRecord& stage, RunLog& log) {
   std::string counts;
   for (const auto& [name, value] : stage.report.counters.values()) counts += fmt::format(", {} {}", value, name);
-  log.info(fmt::format("{}: {} after {:.4f} s{}{}{}", stage.stage, to_string(stage.report.termination), stage.report.seconds,
-                       counts, stage.report.message.empty() ? "" : "; ", stage.report.message));
+  log.info(fmt::format("{}: {} after {:.4f} s{}{}{}", to_string(stage.stage), to_string(stage.report.termination),
+                       stage.report.seconds, counts, stage.report.message.empty() ? "" : "; ", stage.report.message));
   for (const ProgressPoint& point : stage.report.history)
-    if (point.residual >= 0.0) log.info(fmt::format("{}: {}: residual {:.3e}", stage.stage, point.step, point.residual));
+    if (point.residual >= 0.0)
+      log.info(fmt::format("{}: {}: residual {:.3e}", to_string(stage.stage), point.step, point.residual));
 }
 
 std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan, const std::string& method) {
@@ -120,10 +121,10 @@ LitMethod prepare_and_light(const World& world, const MethodChoice& choice, cons
                        lit.plan.simulated.empty() ? "nothing" : names_of(lit.plan.simulated), lit.light_paths));
   for (const SkippedEffect& effect : lit.plan.skipped)
     log.info(fmt::format("skipped {}: {}", to_string(effect.effect), effect.why));
-  lit.stages.push_back({"prepare", lit.method->prepare(world, lit.plan, task)});
+  lit.stages.push_back({Stage::prepare, lit.method->prepare(world, lit.plan, task)});
   log_stage(lit.stages.back(), log);
   require_success(lit.stages.back().report, name, "prepare");
-  lit.stages.push_back({"light", lit.method->light(Lighting::of(world.scene()), task)});
+  lit.stages.push_back({Stage::light, lit.method->light(Lighting::of(world.scene()), task)});
   log_stage(lit.stages.back(), log);
   require_success(lit.stages.back().report, name, "light");
   return lit;
@@ -142,15 +143,15 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   LitMethod lit = prepare_and_light(world, choice, options, measuring.bounces, task, log);
   const MeasuringPoints points = measuring_points(world, question, common.threads);
   RunOutcome outcome{{}, shade_surface(*lit.method, points, task), std::nullopt};
-  const auto keep = [&](const char* stage, const StageReport& report) {
+  const auto keep = [&](Stage stage, const StageReport& report) {
     lit.stages.push_back({stage, report});
     log_stage(lit.stages.back(), log);
-    require_success(report, name, stage);
+    require_success(report, name, to_string(stage));
   };
-  keep("shade_surface", outcome.surface.report);
+  keep(Stage::shade_surface, outcome.surface.report);
   if (points.camera) {
     outcome.image = shade_image(*lit.method, points, lit.shows_background(), task);
-    keep("shade_image", outcome.image->report);
+    keep(Stage::shade_image, outcome.image->report);
   }
   RunRecord& record = outcome.record;
   record.scene = scene.scene().name, record.method = name, record.parameters = choice.parameters.values();

@@ -41,11 +41,11 @@ void write_field(Json& object, const char* name, const std::optional<T>& value) 
   if (value) object[name] = *value;
 }
 
-/// The one of `all` with this name. Throws InputError, the known ones listed, where there is none.
+/// The one of `all` with the name that stands at `place`. Throws InputError, the known ones listed, where there is none.
 template <class All>
-auto known_name(const All& all, const std::string& name) {
+auto known_name(const All& all, const std::string& name, const std::string& place) {
   const auto found = find_named(all, name);
-  if (!found) throw InputError("errors", "unknown name '" + name + "'", "known: " + list_names(all));
+  if (!found) throw InputError(place, "unknown name '" + name + "'", "known: " + list_names(all));
   return *found;
 }
 

@@ -70,6 +70,20 @@ Machine machine_of(const Json& json) {
   return machine;
 }
 
+void write_origin(Json& json, const Origin& origin) {
+  json["version"] = origin.version;
+  json["commit"] = origin.commit;
+  json["machine"] = to_json(origin.machine);
+}
+
+Origin origin_of(const Json& json) {
+  Origin origin;
+  read_field(json, "version", origin.version);
+  read_field(json, "commit", origin.commit);
+  origin.machine = machine_of(object_field(json, "machine"));
+  return origin;
+}
+
 std::uint64_t peak_bytes() {
   const std::string text = value_in("/proc/self/status", "VmHWM");
   return text.empty() ? 0 : std::stoull(text) * 1024;  // "1234 kB"

@@ -33,6 +33,10 @@ struct Origin {
   static Origin here() { return {gibench::version(), gibench::commit(), this_machine()}; }
 };
 
+/// Adds {version, commit, machine}.
+void write_origin(nlohmann::ordered_json& json, const Origin& origin);
+Origin origin_of(const nlohmann::ordered_json& json);
+
 /// Largest resident memory of this process so far, bytes; 0 where the system does not report it.
 std::uint64_t peak_bytes();
 

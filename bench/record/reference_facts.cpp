@@ -36,9 +36,9 @@ ReferenceFacts facts_of(const Scene& scene, const Reference& reference) {
 }
 
 nlohmann::ordered_json to_json(const ReferenceFacts& facts) {
-  nlohmann::ordered_json json{{"samples", facts.samples()},     {"relative_standard_error", facts.relative_standard_error()},
-                              {"path_class", facts.path_class}, {"key", facts.key},
-                              {"replicas", facts.replicas},     {"samples_per_replica", facts.samples_per_replica}};
+  nlohmann::ordered_json json{{"samples", facts.total_samples()}, {"relative_standard_error", facts.relative_standard_error()},
+                              {"path_class", facts.path_class},   {"key", facts.key},
+                              {"replicas", facts.replicas},       {"samples_per_replica", facts.samples_per_replica}};
   if (facts.surface_error) json["surface_relative_standard_error"] = *facts.surface_error;
   if (facts.image_error) json["image_relative_standard_error"] = *facts.image_error;
   json["seconds"] = facts.seconds;

@@ -18,15 +18,15 @@ struct ReferenceFacts {
   /// Of the indirect light (of all light where there is no indirect); absent where nothing was asked there.
   std::optional<double> surface_error, image_error;
 
-  /// Paths for each value in all replicates.
-  std::uint64_t samples() const { return samples_per_replica * replicas; }
+  /// Paths for each value in all, over replicates.
+  std::uint64_t total_samples() const { return samples_per_replica * replicas; }
   /// The larger of the two.
   double relative_standard_error() const;
 };
 
 ReferenceFacts facts_of(const Scene& scene, const Reference& reference);
 
-/// {key, path_class, samples (per value, all replicates), samples_per_replica, replicas, relative_standard_error, …}
+/// {key, path_class, samples (per value, in all, over replicates), samples_per_replica, replicas, relative_standard_error, …}
 nlohmann::ordered_json to_json(const ReferenceFacts& facts);
 ReferenceFacts reference_facts_of(const nlohmann::ordered_json& json);
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "bench/record/picture_record.h"
 #include "bench/record/reference_facts.h"
-#include "bench/record/run_record.h"
 
 namespace gibench {
 

@@ -66,9 +66,10 @@ RelitFrame frame_of(const Json& json) {
   read_field(json, "switched", frame.switched);
   read_field(object_field(json, "seconds"), "relight", frame.relight_seconds);
   read_field(object_field(json, "seconds"), "shade", frame.shade_seconds);
-  if (const Json* name = field(json, "termination")) frame.termination = termination_named(name->get<std::string>());
+  if (const Json* name = field(json, "termination"))
+    frame.termination = known_name(all_terminations, name->get<std::string>(), "termination");
   for (const auto& [component, metrics] : object_field(json, "errors").items())
-    frame.errors[known_name(all_components, component)] = error_table_of(metrics);
+    frame.errors[known_name(all_components, component, "errors")] = error_table_of(metrics);
   if (const Json* reference = field(json, "reference")) {
     frame.reference.emplace();
     read_field(*reference, "seconds", frame.reference->seconds);

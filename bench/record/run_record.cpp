@@ -9,12 +9,6 @@ namespace gibench {
 
 namespace {
 
-Json name_list(const EffectSet& effects) {
-  Json names = Json::array();
-  for (const Effect effect : effects) names.push_back(to_string(effect));
-  return names;
-}
-
 Json counters_of(const Counters& counters) {
   Json json = Json::object();
   for (const auto& [name, value] : counters.values()) json[name] = value;
@@ -24,7 +18,7 @@ Json counters_of(const Counters& counters) {
 Json stages_of(const std::vector<StageRecord>& stages) {
   Json list = Json::array();
   for (const auto& [stage, report] : stages) {
-    Json entry{{"stage", stage}, {"termination", to_string(report.termination)}, {"seconds", report.seconds}};
+    Json entry{{"stage", to_string(stage)}, {"termination", to_string(report.termination)}, {"seconds", report.seconds}};
     if (!report.message.empty()) entry["message"] = report.message;
     entry["counters"] = counters_of(report.counters);
     list.push_back(std::move(entry));
@@ -35,8 +29,7 @@ Json stages_of(const std::vector<StageRecord>& stages) {
 Json measured_at_json(const MeasuredAt& at) {
   Json json{{"surface_samples", at.surface_samples}, {"reference_seed", at.reference_seed}};
   if (!at.camera) return json;
-  json["camera"] = at.camera->name;
-  json["resolution"] = {at.camera->width, at.camera->height};
+  write_camera(json, *at.camera);
   json["pixel_samples"] = at.pixel_samples;
   return json;
 }
@@ -85,7 +78,7 @@ Json memory_of(const RunRecord& record) {
 
 Json seconds_json(const RunRecord& record) {
   Json json = Json::object();
-  for (const auto& [stage, seconds] : seconds_of(record)) json[stage] = seconds;
+  for (const auto& [stage, seconds] : seconds_of(record)) json[to_string(stage)] = seconds;
   return json;
 }
 
@@ -106,17 +99,6 @@ Json to_json(const ErrorTable& table) {
   return metrics;
 }
 
-Json to_json(const EffectPlan& plan) {
-  Json skipped = Json::array();
-  for (const SkippedEffect& effect : plan.skipped) skipped.push_back({{"effect", to_string(effect.effect)}, {"why", effect.why}});
-  Json json{{"called_for", name_list(plan.called_for)},
-            {"simulated", name_list(plan.simulated)},
-            {"missing", name_list(plan.missing)},
-            {"skipped", std::move(skipped)}};
-  if (plan.max_bounces) json["max_bounces"] = *plan.max_bounces;
-  return json;
-}
-
 Json to_json(const ParameterValue& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
@@ -127,23 +109,21 @@ Json to_json(const ParameterValues& values) {
   return json;
 }
 
-Json to_json(const Exposure& exposure) { return {{"value", exposure.value}, {"start", exposure.start}, {"stop", exposure.stop}}; }
-
 Termination termination_of(const RunRecord& record) {
   for (const StageRecord& stage : record.stages)
     if (stage.report.termination != Termination::done) return stage.report.termination;
   return Termination::done;
 }
 
-std::vector<std::pair<std::string, double>> seconds_of(const RunRecord& record) {
-  std::vector<std::pair<std::string, double>> seconds{{"load", record.load_seconds}};
+std::vector<std::pair<Stage, double>> seconds_of(const RunRecord& record) {
+  std::vector<std::pair<Stage, double>> seconds{{Stage::load, record.load_seconds}};
   double shade = 0.0;
   bool shaded = false;
   for (const auto& [stage, report] : record.stages) {
-    if (stage.starts_with("shade_")) shade += report.seconds, shaded = true;
+    if (stage == Stage::shade_surface || stage == Stage::shade_image) shade += report.seconds, shaded = true;
     seconds.emplace_back(stage, report.seconds);
   }
-  if (shaded) seconds.emplace_back("shade", shade);
+  if (shaded) seconds.emplace_back(Stage::shade, shade);
   return seconds;
 }
 
@@ -152,9 +132,7 @@ Json to_json(const RunRecord& record) {
   json["parameters"] = to_json(record.parameters);
   json["seed"] = record.seed;
   json["threads"] = record.threads;
-  json["version"] = record.origin.version;
-  json["commit"] = record.origin.commit;
-  json["machine"] = to_json(record.origin.machine);
+  write_origin(json, record.origin);
   json["measured_at"] = measured_at_json(record.measured_at);
   json["effects"] = to_json(record.plan);
   json["light_paths"] = record.light_paths;
@@ -165,7 +143,7 @@ Json to_json(const RunRecord& record) {
   json["warnings"] = record.warnings;
   json["termination"] = to_string(termination_of(record));
   json["stages"] = stages_of(record.stages);
-  if (record.exposure) json["exposure"] = to_json(*record.exposure);
+  write_exposure(json, record.exposure);
   if (!record.errors.empty()) {
     json["errors"] = errors_of(record.errors);
     json["error_split"] = split_of(record);
@@ -175,41 +153,14 @@ Json to_json(const RunRecord& record) {
   return json;
 }
 
-Termination termination_named(const std::string& name) {
-  for (const Termination termination :
-       {Termination::done, Termination::converged, Termination::bound_reached, Termination::not_converged,
-        Termination::out_of_budget, Termination::cancelled, Termination::invalid_output})
-    if (name == to_string(termination)) return termination;
-  throw InputError("termination", "unknown name '" + name + "'");
-}
-
 namespace {
-
-EffectSet effects_in(const Json& json, const char* name) {
-  std::vector<std::string> names;
-  read_field(json, name, names);
-  return effects_of_names(names, name);
-}
-
-EffectPlan plan_of(const Json& json) {
-  EffectPlan plan;
-  plan.called_for = effects_in(json, "called_for");
-  plan.simulated = effects_in(json, "simulated");
-  plan.missing = effects_in(json, "missing");
-  for (const Json& skipped : object_field(json, "skipped"))
-    plan.skipped.push_back(
-        {*effects_of_names({skipped.at("effect").get<std::string>()}, "skipped").begin(), skipped.at("why").get<std::string>()});
-  read_field(json, "max_bounces", plan.max_bounces);
-  return plan;
-}
 
 MeasuredAt measured_at_of(const Json& json) {
   MeasuredAt at;
   read_field(json, "surface_samples", at.surface_samples);
   read_field(json, "reference_seed", at.reference_seed);
   read_field(json, "pixel_samples", at.pixel_samples);
-  if (const Json* name = field(json, "camera"))
-    at.camera = {name->get<std::string>(), json.at("resolution").at(0).get<int>(), json.at("resolution").at(1).get<int>()};
+  at.camera = camera_in(json);
   return at;
 }
 
@@ -222,8 +173,8 @@ Counters counters_in(const Json& json) {
 std::vector<StageRecord> stages_in(const Json& list) {
   std::vector<StageRecord> stages;
   for (const Json& entry : list) {
-    StageRecord stage{entry.at("stage").get<std::string>(), {}};
-    stage.report.termination = termination_named(entry.at("termination").get<std::string>());
+    StageRecord stage{known_name(all_stages, entry.at("stage").get<std::string>(), "stages"), {}};
+    stage.report.termination = known_name(all_terminations, entry.at("termination").get<std::string>(), "termination");
     read_field(entry, "message", stage.report.message);
     read_field(entry, "seconds", stage.report.seconds);
     stage.report.counters = counters_in(object_field(entry, "counters"));
@@ -259,7 +210,8 @@ ComponentErrors errors_in(const Json& components) {
   ComponentErrors errors;
   for (const auto& [component, domains] : components.items())
     for (const auto& [domain, metrics] : domains.items())
-      errors[known_name(all_components, component)][known_name(all_domains, domain)] = error_table_of(metrics);
+      errors[known_name(all_components, component, "errors")][known_name(all_domains, domain, "errors")] =
+          error_table_of(metrics);
   return errors;
 }
 
@@ -293,14 +245,6 @@ ParameterValues parameters_of(const Json& json) {
   return values;
 }
 
-Exposure exposure_of(const Json& json) {
-  Exposure exposure;
-  read_field(json, "value", exposure.value);
-  read_field(json, "start", exposure.start);
-  read_field(json, "stop", exposure.stop);
-  return exposure;
-}
-
 RunRecord run_record_of(const Json& json) {
   if (json.at("gibench_result").get<int>() != 1) throw InputError("gibench_result", "is not 1");
   RunRecord record;
@@ -309,22 +253,21 @@ RunRecord run_record_of(const Json& json) {
   record.parameters = parameters_of(object_field(json, "parameters"));
   read_field(json, "seed", record.seed);
   read_field(json, "threads", record.threads);
-  read_field(json, "version", record.origin.version);
-  read_field(json, "commit", record.origin.commit);
-  record.origin.machine = machine_of(object_field(json, "machine"));
+  record.origin = origin_of(json);
   record.measured_at = measured_at_of(object_field(json, "measured_at"));
-  record.plan = plan_of(object_field(json, "effects"));
+  record.plan = effect_plan_of(object_field(json, "effects"));
   read_field(json, "light_paths", record.light_paths);
   std::vector<std::string> completed;
   read_field(object_field(json, "completed_by"), "components", completed);
-  for (const std::string& component : completed) record.completed.push_back(known_name(all_components, component));
+  for (const std::string& component : completed)
+    record.completed.push_back(known_name(all_components, component, "completed_by"));
   read_field(object_field(json, "seconds"), "load", record.load_seconds);
   record.stages = stages_in(object_field(json, "stages"));
   read_field(object_field(json, "memory"), "method_bytes", record.method_bytes);
   read_field(object_field(json, "memory"), "peak_bytes", record.peak_bytes);
   record.counters = counters_in(object_field(json, "counters"));
   read_field(json, "warnings", record.warnings);
-  if (const Json* exposure = field(json, "exposure")) record.exposure = exposure_of(*exposure);
+  record.exposure = exposure_in(json);
   record.errors = errors_in(object_field(json, "errors"));
   read_split(object_field(json, "error_split"), record);
   record.per_bounce = bounces_in(object_field(json, "errors_per_bounce"));

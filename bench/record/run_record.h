@@ -9,15 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "bench/record/effect_record.h"
 #include "bench/record/machine.h"
+#include "bench/record/picture_record.h"
 #include "bench/record/reference_facts.h"
+#include "bench/record/stage.h"
 #include "common/effects/component.h"
-#include "common/effects/effect_plan.h"
 #include "common/method/parameters.h"
 #include "common/method/stage_report.h"
 #include "common/metrics/domain.h"
 #include "common/metrics/errors.h"
-#include "common/scene/scene.h"
 
 namespace gibench {
 
@@ -26,7 +27,7 @@ using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 inline constexpr const char* result_file = "result.json";
 
 struct StageRecord {
-  std::string stage;  ///< prepare, light, shade_surface, shade_image
+  Stage stage = Stage::prepare;  ///< or light, shade_surface, shade_image
   StageReport report;
 };
 
@@ -48,10 +49,6 @@ struct BounceErrors {
 };
 
 /// Where a method was asked.
-struct MeasuredCamera {
-  std::string name;
-  int width = 0, height = 0;  ///< pixels
-};
 struct MeasuredAt {
   std::size_t surface_samples = 0;
   std::uint64_t reference_seed = 1;      ///< of the surface samples, the camera rays and the reference
@@ -85,8 +82,8 @@ struct RunRecord {
 
 /// How the run ended: by the first stage that says more than "done".
 Termination termination_of(const RunRecord& record);
-/// Seconds of "load", of each stage and, where it was asked, of "shade": its stages together.
-std::vector<std::pair<std::string, double>> seconds_of(const RunRecord& record);
+/// Seconds of loading, of each stage and, where it was asked, of `shade`: its stages together.
+std::vector<std::pair<Stage, double>> seconds_of(const RunRecord& record);
 
 nlohmann::ordered_json to_json(const RunRecord& record);
 /// Throws nlohmann::json::exception or InputError for what is not a record.
@@ -96,15 +93,8 @@ RunRecord read_run_record(const std::filesystem::path& file);
 
 nlohmann::ordered_json to_json(const ErrorTable& table);
 ErrorTable error_table_of(const nlohmann::ordered_json& json);
-/// Throws InputError for an unknown name.
-Termination termination_named(const std::string& name);
-/// {called_for, simulated, missing, skipped: [{effect, why}]}
-nlohmann::ordered_json to_json(const EffectPlan& plan);
 nlohmann::ordered_json to_json(const ParameterValue& value);
 nlohmann::ordered_json to_json(const ParameterValues& values);
 ParameterValues parameters_of(const nlohmann::ordered_json& json);
-/// {value, start, stop} in stops
-nlohmann::ordered_json to_json(const Exposure& exposure);
-Exposure exposure_of(const nlohmann::ordered_json& json);
 
 }  // namespace gibench

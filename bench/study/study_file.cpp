@@ -23,6 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+constexpr std::uint64_t usual_reference_samples = 64;  // of a relighting: in a study every frame is compared
+
 /// As it would stand after --set name=.
 std::string setting_text(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
@@ -114,18 +116,31 @@ StudyScene scene_at(const json& value, const JsonPlace& place, const fs::path& f
 }
 
 /// Beside the scene, beside the study file or in the working folder.
-fs::path light_path_at(const json& value, const JsonPlace& place, const StudyScene& scene, const fs::path& folder) {
+fs::path moving_lights_at(const json& value, const JsonPlace& place, const StudyScene& scene, const fs::path& folder) {
   const fs::path name = value.get<std::string>();
   for (const fs::path& base : {scene.file.parent_path(), folder})
     if (!name.is_absolute() && fs::exists(base / name)) return base / name;
   return find_file(name.string(), ".", place.text());
 }
 
+void read_value(const json& value, std::optional<int>& into) { into = value.get<int>(); }
+template <class Value>
+void read_value(const json& value, Value& into) {
+  into = value.get<Value>();
+}
+
+/// Those that the file gives.
+template <class Options>
+void read_fields(const json& value, std::span<const OptionField<Options>> fields, Options& options) {
+  for (const OptionField<Options>& field : fields)
+    if (value.contains(field.key)) std::visit([&](auto member) { read_value(value[field.key], options.*member); }, field.member);
+}
+
 StudyRelight relight_at(const json& entry, const JsonPlace& place, const fs::path& folder, const Study& study) {
   const MethodEntry& method = method_at(entry["method"], place["method"]);
   StudyRelight relight;
   relight.scene = scene_named(entry["scene"].get<std::string>(), place["scene"], study.scenes);
-  relight.lights = light_path_at(entry["lights"], place["lights"], study.scenes[relight.scene], folder);
+  relight.lights = moving_lights_at(entry["lights"], place["lights"], study.scenes[relight.scene], folder);
   relight.method = method.name;
   relight.label = entry.value("label", method.name);
   std::vector<Setting> settings;
@@ -137,10 +152,9 @@ StudyRelight relight_at(const json& entry, const JsonPlace& place, const fs::pat
   const Parameters parameters(method.schema, settings, place["parameters"].text());
   relight.parameters = parameters.values();
   require_relighting({&method, parameters}, place["method"].text());
-  if (entry.contains("frames")) relight.frames = entry["frames"].get<int>();
-  relight.surface_samples = entry.value("surface_samples", study.measuring.surface_samples);
-  relight.compared_samples = entry.value("compared_samples", relight.compared_samples);
-  relight.reference_samples = entry.value("reference_samples", relight.reference_samples);
+  relight.options.surface_samples = study.measuring.surface_samples;
+  relight.options.reference_samples = usual_reference_samples;
+  read_fields(entry, relight_fields(), relight.options);
   return relight;
 }
 
@@ -156,7 +170,7 @@ void read_relights(const json& list, const JsonPlace& place, const fs::path& fol
 
 void read_reference(const json& entry, Study& study) {
   StudyReference reference;
-  if (entry.contains("samples")) reference.samples = entry["samples"].get<std::uint64_t>();
+  if (entry.contains("samples")) reference.samples_per_replica = entry["samples"].get<std::uint64_t>();
   if (entry.contains("target_error")) reference.target_error = entry["target_error"].get<double>();
   if (entry.contains("time_limit_seconds")) reference.time_limit_seconds = entry["time_limit_seconds"].get<double>();
   reference.replicas = entry.value("replicas", reference.replicas);
@@ -164,16 +178,8 @@ void read_reference(const json& entry, Study& study) {
   study.reference = reference;
 }
 
-void read_value(const json& value, std::optional<int>& into) { into = value.get<int>(); }
-template <class Value>
-void read_value(const json& value, Value& into) {
-  into = value.get<Value>();
-}
-
 void read_measuring(const json& value, const JsonPlace& place, MeasuringOptions& measuring) {
-  for (const MeasuringField& field : measuring_fields())
-    if (value.contains(field.key))
-      std::visit([&](auto member) { read_value(value[field.key], measuring.*member); }, field.member);
+  read_fields(value, measuring_fields(), measuring);
   strata_per_side(measuring.pixel_samples, place["pixel_samples"].text().c_str());
 }
 

@@ -12,6 +12,7 @@
 
 #include "bench/measure/measuring.h"
 #include "bench/measure/plan_options.h"
+#include "bench/measure/relight_options.h"
 #include "common/method/parameters.h"
 
 namespace gibench {
@@ -35,21 +36,18 @@ struct StudyVariant {
   bool runs_on(std::size_t scene) const { return scenes.empty() || scenes.contains(scene); }
 };
 
-/// A method prepared once and lit along a path.
+/// A method prepared once and lit by moving lights.
 struct StudyRelight {
   std::size_t scene = 0;  ///< place in the study
   std::filesystem::path lights;
   std::string method, label;                                      ///< the label is unique among those of the scene
   std::vector<std::string> settings;                              ///< "name=value"
   std::map<std::string, ParameterValue, std::less<>> parameters;  ///< all of them, defaults included
-  std::optional<int> frames;
-  std::size_t surface_samples = 0;
-  std::size_t compared_samples = 0;      ///< 0: as many as are asked
-  std::uint64_t reference_samples = 64;  ///< paths per value and replicate
+  RelightOptions options;
 };
 
 struct StudyReference {
-  std::optional<std::uint64_t> samples;
+  std::optional<std::uint64_t> samples_per_replica;
   std::optional<double> target_error;
   int replicas = 8;
   std::optional<double> time_limit_seconds;

@@ -73,8 +73,8 @@ std::string relight_key(const StudyRelight& relight, const WorkOptions& common, 
   KeyBuilder key;
   key.add(version()).add(commit()).add(scene_key).add(lights).add(relight.method);
   for (const auto& [name, value] : relight.parameters) key.add(name).add(to_text(value));
-  key.add(common.seed).add(common.threads).add(relight.frames.value_or(0));
-  key.add(relight.surface_samples).add(relight.compared_samples).add(relight.reference_samples);
+  key.add(common.seed).add(common.threads);
+  for (const std::string& argument : arguments_of(relight.options)) key.add(argument);
   return key.hex();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/measure/work_options.h"
+#include "bench/record/study_record.h"
 #include "bench/study/study_file.h"
 
 namespace gibench {
@@ -30,14 +31,14 @@ std::vector<PlannedRelight> plan_relights(const Study& study);
 std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key,
                     const std::string& reference_state);
 
-/// The same of a relighting; `lights` is the text of its light path.
+/// The same of a relighting; `lights` is the text of its file of moving lights.
 std::string relight_key(const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
                         const std::string& lights);
 
 /// The folders of a study's results.
 struct StudyFolders {
   std::filesystem::path root;
-  std::filesystem::path manifest() const { return root / "manifest.json"; }
+  std::filesystem::path manifest() const { return root / manifest_file; }
   std::filesystem::path run(const std::string& id) const { return root / "runs" / id; }
   std::filesystem::path reference(const std::string& scene) const { return root / "references" / scene; }
   std::filesystem::path scratch() const { return root / "scratch"; }

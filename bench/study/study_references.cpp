@@ -5,11 +5,10 @@
 
 #include "bench/measure/cancellation.h"
 #include "bench/measure/measuring_fields.h"
+#include "bench/study/child_outcome.h"
 #include "bench/study/study_runner.h"
 
 namespace gibench {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<std::string> StudyRunner::reference_arguments(std::size_t scene, const MeasuringOptions& measuring) const {
   const StudyReference& goal = *study_.reference;
@@ -18,7 +17,7 @@ std::vector<std::string> StudyRunner::reference_arguments(std::size_t scene, con
       "--replicas", std::to_string(goal.replicas),      "--seed",       std::to_string(measuring.reference_seed)};
   const std::vector<std::string> where = arguments_of(measuring);
   arguments.insert(arguments.end(), where.begin(), where.end());
-  if (goal.samples) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples)});
+  if (goal.samples_per_replica) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples_per_replica)});
   if (goal.target_error) arguments.insert(arguments.end(), {"--target-error", fmt::format("{}", *goal.target_error)});
   return arguments;
 }
@@ -40,10 +39,10 @@ std::set<std::string> StudyRunner::restricted_paths(std::size_t scene) const {
     if (study_.measuring.bounces) arguments.insert(arguments.end(), {"--bounces", std::to_string(*study_.measuring.bounces)});
     const ChildResult result = child(arguments, {}, "paths-" + study_.scenes[scene].name);
     stop_if_cancelled();
-    if (result.end != ChildEnd::exited || result.exit_code != 0) continue;
-    const Json method = Json::parse(result.out).at("methods").at(0);
-    if (!method.contains("refusal") && !method.at("complete").get<bool>())
-      paths.insert(method.at("light_paths").get<std::string>());
+    if (!succeeded(result)) continue;
+    const CheckRecord check = check_record_of(nlohmann::ordered_json::parse(result.out));
+    const PlanRecord& method = check.methods.at(0);
+    if (!method.refusal && !method.complete) paths.insert(method.light_paths);
   }
   return paths;
 }
@@ -55,8 +54,8 @@ void StudyRunner::make_path_references(std::size_t scene) {
     measuring.light_paths = paths, measuring.bounces.reset();
     const ChildResult result = child(reference_arguments(scene, measuring), reference_limits(), "reference-" + name);
     if (result.end == ChildEnd::cancelled) return;
-    const bool made = result.end == ChildEnd::exited && result.exit_code == 0;
-    tell(fmt::format("{}: reference of {} {}, {:.1f} s", name, paths, made ? "ready" : "not made: " + result.last_line,
+    const std::string reason = reason_of(result, reference_limits());
+    tell(fmt::format("{}: reference of {} {}, {:.1f} s", name, paths, reason.empty() ? "ready" : "not made: " + reason,
                      result.seconds));
   }
 }

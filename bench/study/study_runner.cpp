@@ -16,6 +16,7 @@
 #include "bench/record/process_record.h"
 #include "bench/record/relight_record.h"
 #include "bench/record/run_record.h"
+#include "bench/study/child_outcome.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/reference/folder_replacement.h"
@@ -25,7 +26,6 @@ namespace gibench {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// Calls work(0), …, work(count − 1) on `jobs` threads; the first exception is thrown here once all threads ended.
 void for_each_job(int jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -48,39 +48,8 @@ void for_each_job(int jobs, std::size_t count, const std::function<void(std::siz
   if (first_error) std::rethrow_exception(first_error);
 }
 
-/// Why a process that was not killed has no result, in words.
-std::string message_of(const ChildResult& child) { return child.error ? child.error->message : child.last_line; }
-
-bool ended_with(const ChildResult& child, ErrorCode code) { return child.error && child.error->code == code; }
-
-RunStatus status_of(const ChildResult& child) {
-  switch (child.end) {
-    case ChildEnd::timed_out: return RunStatus::timed_out;
-    case ChildEnd::signalled: return RunStatus::crashed;
-    case ChildEnd::over_memory:
-    case ChildEnd::cancelled: return RunStatus::failed;
-    case ChildEnd::exited: break;
-  }
-  if (child.exit_code == 0) return RunStatus::done;
-  return ended_with(child, ErrorCode::refused) ? RunStatus::refused : RunStatus::failed;
-}
-
-std::string reason_of(const ChildResult& child, const ChildLimits& limits) {
-  switch (child.end) {
-    case ChildEnd::timed_out: return fmt::format("stopped at its time limit of {} s", *limits.seconds);
-    case ChildEnd::over_memory:
-      return fmt::format("stopped at its memory limit of {} MB", static_cast<double>(*limits.bytes) / (1024.0 * 1024.0));
-    case ChildEnd::signalled:
-      return fmt::format("ended by a signal: {}{}{}", describe_signal(child.signal), child.last_line.empty() ? "" : "; ",
-                         child.last_line);
-    case ChildEnd::cancelled: return "cancelled";
-    case ChildEnd::exited: break;
-  }
-  return child.exit_code == 0 ? std::string() : message_of(child);
-}
-
 /// Of the work, as the run's record says; 0 where there is no record.
-std::uint64_t told_peak_bytes(const fs::path& folder) {
+std::uint64_t recorded_peak_bytes(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder / result_file, ignored)) return 0;
   try {
@@ -164,14 +133,14 @@ void StudyRunner::check_scenes() {
     const StudyScene& scene = study_.scenes[s];
     const ChildResult result = child({"check", scene.file.string(), "--json"}, {}, "check-" + scene.name);
     stop_if_cancelled();
-    if (result.end == ChildEnd::exited && result.exit_code == 0) {
-      scenes_[s].check = Json::parse(result.out);
+    if (succeeded(result)) {
+      scenes_[s].check = check_record_of(nlohmann::ordered_json::parse(result.out));
       if (study_.reference) scenes_[s].reference = reference_if_there(scene.name);
     } else if (ended_with(result, ErrorCode::missing_file)) {  // of models that are not on this machine
-      scenes_[s].skipped = message_of(result);
+      scenes_[s].skipped = reason_of(result, {});
       tell(fmt::format("skipped {}: {}", scene.name, *scenes_[s].skipped));
     } else if (ended_with(result, ErrorCode::bad_input)) {
-      throw InputError("scene " + scene.name, message_of(result));
+      throw InputError("scene " + scene.name, reason_of(result, {}));
     } else {
       throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));
     }
@@ -246,7 +215,7 @@ void StudyRunner::run_for(const std::string& id, const std::string& key,
     fs::remove_all(made, ignored);
     return;
   }
-  record(id, result, key, made);
+  keep(id, result, key, made);
 }
 
 void StudyRunner::run_one(const PlannedRun& run) {
@@ -279,29 +248,19 @@ void StudyRunner::relight_one(const PlannedRelight& planned) {
   const StudyRelight& relight = study_.relights[planned.relight];
   run_for(planned.id, key_of(planned), [&](const fs::path& made) {
     make_folder(made);
-    std::vector<std::string> arguments{"relight",
-                                       study_.scenes[relight.scene].file.string(),
-                                       "--method",
-                                       relight.method,
-                                       "--lights",
-                                       relight.lights.string(),
-                                       "--out",
-                                       (made / relight_file).string(),
-                                       "--seed",
-                                       std::to_string(common_.seed),
-                                       "--surface-samples",
-                                       std::to_string(relight.surface_samples),
-                                       "--compared-samples",
-                                       std::to_string(relight.compared_samples),
-                                       "--reference-samples",
-                                       std::to_string(relight.reference_samples)};
+    std::vector<std::string> arguments{"relight",  study_.scenes[relight.scene].file.string(),
+                                       "--method", relight.method,
+                                       "--lights", relight.lights.string(),
+                                       "--out",    (made / relight_file).string(),
+                                       "--seed",   std::to_string(common_.seed)};
     for (const std::string& setting : relight.settings) arguments.insert(arguments.end(), {"--set", setting});
-    if (relight.frames) arguments.insert(arguments.end(), {"--frames", std::to_string(*relight.frames)});
+    const std::vector<std::string> options = arguments_of(relight.options);
+    arguments.insert(arguments.end(), options.begin(), options.end());
     return arguments;
   });
 }
 
-void StudyRunner::record(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
+void StudyRunner::keep(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
   const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
   const std::string reason = reason_of(child_result, limits);
   ProcessRecord entry;
@@ -311,7 +270,7 @@ void StudyRunner::record(const std::string& id, const ChildResult& child_result,
   if (child_result.error) entry.error = child_result.error->code;
   if (child_result.peak_bytes > 0) entry.peak_bytes = entry.process_peak_bytes = child_result.peak_bytes;
   // A run that succeeded records its peak before it loads the library that writes its pictures.
-  if (const std::uint64_t peak = told_peak_bytes(made); peak > 0) entry.peak_bytes = peak;
+  if (const std::uint64_t peak = recorded_peak_bytes(made); peak > 0) entry.peak_bytes = peak;
   make_folder(made);  // there already after a run that came to its end
   write_file_atomically(made / process_file, to_json(entry).dump(2) + "\n");
   fs::path partial = made;

@@ -7,14 +7,15 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "bench/measure/work_options.h"
+#include "bench/record/check_record.h"
 #include "bench/record/reference_record.h"
+#include "bench/record/study_record.h"
 #include "bench/study/child_process.h"
 #include "bench/study/shard.h"
 #include "bench/study/study_file.h"
@@ -40,12 +41,12 @@ class StudyRunner {
   /// Throws InputError for a scene that is wrong, WorkError where the user asked to stop, which says what was kept. What runs do
   /// is recorded.
   void run();
-  /// The manifest as it stands.
-  nlohmann::ordered_json manifest() const;
+  /// The study's record as it stands.
+  StudyRecord record() const;
 
  private:
   struct SceneState {
-    nlohmann::ordered_json check;              ///< what `gibench check --json` says
+    std::optional<CheckRecord> check;          ///< empty: not checked yet
     std::optional<std::string> skipped;        ///< why its runs are left out
     std::optional<ReferenceRecord> reference;  ///< empty: none
     std::string reference_message;             ///< why there is none
@@ -66,7 +67,7 @@ class StudyRunner {
   /// Runs the child for the folder runs/ID unless it holds what this key made.
   void run_for(const std::string& id, const std::string& key,
                const std::function<std::vector<std::string>(const std::filesystem::path& made)>& arguments);
-  void record(const std::string& id, const ChildResult& child, const std::string& key, const std::filesystem::path& made);
+  void keep(const std::string& id, const ChildResult& child, const std::string& key, const std::filesystem::path& made);
   bool is_kept(const std::string& id, const std::string& key) const;
   bool is_own(std::size_t place) const;  ///< of this shard
   bool is_due(std::size_t place) const;  ///< of this shard, on a scene that is there
@@ -74,10 +75,12 @@ class StudyRunner {
   std::string describe_kept() const;
   std::string key_of(const PlannedRun& run) const;
   std::string key_of(const PlannedRelight& relight) const;
-  nlohmann::ordered_json scene_entry(std::size_t scene) const;
-  nlohmann::ordered_json run_entry(const PlannedRun& run) const;
-  nlohmann::ordered_json relight_entry(const PlannedRelight& relight) const;
-  void add_outcome(nlohmann::ordered_json& entry, const std::string& id, const std::string& key, std::size_t scene) const;
+  StudySceneRecord record_of_scene(std::size_t scene) const;
+  StudyRunRecord record_of(const PlannedRun& run) const;
+  StudyRunRecord record_of(const PlannedRelight& relight) const;
+  /// `key_of(planned)`, where its scene was checked, tells whether what lies in its folder is of this study.
+  template <class Planned>
+  ProcessRecord outcome_of(const Planned& planned, std::size_t scene) const;
   ChildResult child(std::vector<std::string> arguments, const ChildLimits& limits, const std::string& name) const;
   void write_manifest() const;
   void tell(const std::string& line);

@@ -149,4 +149,33 @@ nlohmann::ordered_json to_json(const GeometryReport& report) {
   return json;
 }
 
+GeometryReport geometry_report_of(const nlohmann::ordered_json& json) {
+  GeometryReport report;
+  const auto read = [&json](const char* name, auto& value) {
+    if (const auto found = json.find(name); found != json.end()) found->get_to(value);
+  };
+  const auto read_point = [&json](const char* name, Vec3d& point) {
+    if (const auto found = json.find(name); found != json.end())
+      for (int i = 0; i < 3; ++i) point[i] = found->at(static_cast<std::size_t>(i)).get<double>();
+  };
+  read("faces", report.faces);
+  read("triangles", report.triangles);
+  read("quads", report.quads);
+  read("degenerate_faces", report.degenerate_faces);
+  read("vertices", report.vertices);
+  read("duplicate_vertices", report.duplicate_vertices);
+  read("non_manifold_edges", report.non_manifold_edges);
+  read("boundary_edges", report.boundary_edges);
+  read("flipped_edges", report.flipped_edges);
+  read("components", report.components);
+  read("closed", report.closed);
+  read("oriented", report.oriented);
+  read("convex", report.convex);
+  read_point("bounds_min", report.bounds_min);
+  read_point("bounds_max", report.bounds_max);
+  read("area", report.area);
+  read("volume", report.volume);
+  return report;
+}
+
 }  // namespace gibench

@@ -40,5 +40,7 @@ GeometryReport report_geometry(const Scene& scene);
 std::vector<GeometryReport> report_objects(const Scene& scene);
 
 nlohmann::ordered_json to_json(const GeometryReport& report);
+/// All but the name, which is not written. Throws nlohmann::json::exception for what is none.
+GeometryReport geometry_report_of(const nlohmann::ordered_json& json);
 
 }  // namespace gibench

@@ -1,6 +1,7 @@
 /// The report of a stage of a method: how it ended and why, what it took.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ enum class Termination {
   cancelled,       ///< asked to stop
   invalid_output,  ///< a value was not written or is not finite
 };
+
+inline constexpr std::array all_terminations{Termination::done,          Termination::converged,     Termination::bound_reached,
+                                             Termination::not_converged, Termination::out_of_budget, Termination::cancelled,
+                                             Termination::invalid_output};
 
 /// Whether the answer of the stage may be used.
 constexpr bool succeeded(Termination t) {

@@ -3,7 +3,7 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 namespace gibench {
 

@@ -9,7 +9,7 @@ namespace {
 const ParameterTable<Settings>& table() {
   constexpr double most = 4294967295.0;  // sample numbers are 32 bits wide
   static const ParameterTable<Settings> made{
-      parameter("samples", &Settings::samples, 1, most, "paths for each value, over all replicates"),
+      parameter("samples", &Settings::samples, 1, most, "paths for each value, in all, over replicates"),
       parameter("first_sample", &Settings::first_sample, 0, most,
                 "number of the first path: continues a sequence, nothing is repeated"),
       parameter("replicates", &Settings::replicates, 1, 1024,

@@ -4,7 +4,7 @@
 #include "common/core/error.h"
 #include "reports/collect/collect.h"
 #include "reports/collect/error_reading.h"
-#include "reports/collect/json_reading.h"
+#include "reports/collect/facts.h"
 
 namespace gibench::report {
 
@@ -16,18 +16,6 @@ MeasuredError measured(const ErrorValue& recorded) {
 }
 
 namespace {
-
-std::vector<std::string> names_in(const EffectSet& effects) {
-  std::vector<std::string> names;
-  for (const Effect effect : effects) names.emplace_back(gibench::to_string(effect));
-  return names;
-}
-
-Effects effects_of(const EffectPlan& plan) {
-  Effects effects{names_in(plan.called_for), names_in(plan.simulated), names_in(plan.missing), {}};
-  for (const SkippedEffect& skipped : plan.skipped) effects.skipped.emplace_back(gibench::to_string(skipped.effect), skipped.why);
-  return effects;
-}
 
 std::map<ErrorKey, MeasuredError> errors_of(const ComponentErrors& components) {
   std::map<ErrorKey, MeasuredError> errors;
@@ -55,16 +43,16 @@ void add_split(const RunRecord& record, StudyRun& run) {
 void read_result(const std::filesystem::path& file, StudyRun& run) {
   const RunRecord record = read_run_record(file);
   const Json written = to_json(record);
-  if (!record.parameters.empty()) run.parameters = facts_of(object_at(written, "parameters"));
+  if (!record.parameters.empty()) run.parameters = facts_of(to_json(record.parameters));
   run.seed = record.seed;
   run.threads = static_cast<std::uint64_t>(record.threads);
-  run.effects = effects_of(record.plan);
+  run.effects = record.plan;
   for (const auto& [stage, seconds] : seconds_of(record)) run.seconds.emplace(stage, seconds);
   if (record.method_bytes > 0) run.method_bytes = record.method_bytes;
   if (!run.peak_bytes && record.peak_bytes > 0) run.peak_bytes = record.peak_bytes;
   for (const auto& [name, value] : record.counters.values()) run.counters.emplace(name, value);
   run.warnings = record.warnings;
-  run.termination = to_string(termination_of(record));
+  run.termination = termination_of(record);
   run.errors = errors_of(record.errors);
   add_split(record, run);
   run.details = facts_of(written, {"gibench_result", "scene", "method", "parameters", "seed", "threads", "version", "commit",

@@ -17,15 +17,20 @@ const MeasuredError* StudyRun::discretisation_error(const ErrorKey& key) const {
   return complete == true ? error(key) : find(discretisation_errors, key);
 }
 
+std::optional<double> StudyRun::seconds_of(Stage stage) const {
+  const auto found = seconds.find(stage);
+  return found == seconds.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> StudyRun::shade_seconds(Domain domain) const {
+  const auto of_domain = seconds_of(shade_stage(domain));
+  return of_domain ? of_domain : seconds_of(Stage::shade);
+}
+
 std::optional<double> StudyRun::transport_seconds(Domain domain) const {
-  const auto stage = [this](const std::string& name) -> std::optional<double> {
-    const auto found = seconds.find(name);
-    return found == seconds.end() ? std::nullopt : std::optional(found->second);
-  };
-  const auto of_domain = stage(std::string("shade_") + to_string(domain));
-  const auto shade = of_domain ? of_domain : stage("shade");
+  const auto shade = shade_seconds(domain);
   if (!shade) return std::nullopt;
-  return stage("prepare").value_or(0.0) + stage("light").value_or(0.0) + *shade;
+  return seconds_of(Stage::prepare).value_or(0.0) + seconds_of(Stage::light).value_or(0.0) + *shade;
 }
 
 std::vector<std::size_t> Study::runs_of(const std::string& scene) const {

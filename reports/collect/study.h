@@ -14,7 +14,10 @@
 
 #include "bench/record/process_record.h"
 #include "bench/record/relight_economics.h"
+#include "bench/record/stage.h"
 #include "common/effects/component.h"
+#include "common/effects/scene_effects.h"
+#include "common/method/stage_report.h"
 #include "common/metrics/domain.h"
 
 namespace gibench::report {
@@ -37,18 +40,6 @@ struct MeasuredError {
   bool below_noise_floor = false;
 };
 
-/// What a method made of the effects that the scene calls for.
-struct Effects {
-  std::vector<std::string> called_for, simulated, missing;
-  std::vector<std::pair<std::string, std::string>> skipped;  ///< effect and why
-};
-
-/// One effect as the scene's analysis decided about it.
-struct SceneEffect {
-  std::string effect, evidence;
-  bool called_for = false;
-};
-
 struct StudyRun {
   std::string id, label, scene, method;
   Facts parameters;
@@ -61,12 +52,12 @@ struct StudyRun {
 
   // From result.json.
   std::optional<std::uint64_t> seed, threads;
-  std::optional<Effects> effects;
-  std::map<std::string, double> seconds;  ///< load, prepare, light, shade, shade_surface, shade_image
+  std::optional<EffectPlan> effects;
+  std::map<Stage, double> seconds;  ///< of those that were recorded
   std::optional<std::uint64_t> method_bytes;
   std::map<std::string, std::uint64_t> counters;
   std::vector<std::string> warnings;
-  std::string termination;
+  std::optional<Termination> termination;
   std::string light_paths;  ///< what it simulated; empty where its record does not say
   /// All light paths of the scene: no model error, and all error is discretisation error. Empty where the record does not say.
   std::optional<bool> complete;
@@ -85,12 +76,15 @@ struct StudyRun {
   const MeasuredError* model_error(const ErrorKey& key) const;
   /// The error itself for a run that has all light paths.
   const MeasuredError* discretisation_error(const ErrorKey& key) const;
-  /// Seconds that the answer of a domain cost: prepare + light + shade_DOMAIN (shade where the stages are not recorded
-  /// separately). Reading the scene is the same for every method and left out.
+  std::optional<double> seconds_of(Stage stage) const;
+  /// Of shading the domain, or of all shading where the stages are not recorded separately.
+  std::optional<double> shade_seconds(Domain domain) const;
+  /// Seconds that the answer of a domain cost: preparing, lighting and shading. Reading the scene is the same for every method
+  /// and left out.
   std::optional<double> transport_seconds(Domain domain) const;
 };
 
-/// A method prepared once and lit along a path.
+/// A method prepared once and lit by moving lights.
 struct StudyRelight {
   std::string id, label, scene, method, lights;
   Facts parameters;
@@ -118,11 +112,11 @@ struct StudyRelight {
 
 struct StudyScene {
   std::string name;
-  std::optional<std::string> skipped;  ///< why the study left the scene out
-  float exposure = 0.0F;               ///< stops at which its pictures are shown
-  std::vector<SceneEffect> effects;    ///< what it calls for, and why
-  std::string bounces, bounce_bound;   ///< how many reflections its light needs, and the evidence
-  Facts facts;                         ///< camera, resolution, geometry, …
+  std::optional<std::string> skipped;   ///< why the study left the scene out
+  float exposure = 0.0F;                ///< stops at which its pictures are shown
+  std::vector<EffectEvidence> effects;  ///< what it calls for, and why
+  std::string bounces, bounce_bound;    ///< how many reflections its light needs, and the evidence
+  Facts facts;                          ///< camera, resolution, geometry, …
   std::filesystem::path reference_folder;
   Facts reference;  ///< reference.json; empty where there is none
 };

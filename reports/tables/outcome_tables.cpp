@@ -19,30 +19,41 @@ std::string joined(const Facts& facts) {
   return text;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+enum class EffectOutcome { simulated, missing, skipped, not_allowed };
+
+const char* to_string(EffectOutcome outcome) {
+  switch (outcome) {
+    case EffectOutcome::simulated: return "simulated";
+    case EffectOutcome::missing: return "missing";
+    case EffectOutcome::skipped: return "skipped";
+    case EffectOutcome::not_allowed: break;
+  }
+  return "not allowed";
 }
 
 /// What a method made of an effect on a scene, and why.
 struct EffectRow {
-  std::string scene, method, effect, outcome, why;
+  std::string scene, method;
+  Effect effect;
+  EffectOutcome outcome;
+  std::string why;
   auto operator<=>(const EffectRow&) const = default;
 };
 
 void add_effects(const StudyRun& run, std::set<EffectRow>& known, std::vector<EffectRow>& rows) {
-  const auto add = [&](const std::string& effect, const std::string& outcome, const std::string& why) {
+  const auto add = [&](Effect effect, EffectOutcome outcome, const std::string& why) {
     const EffectRow row{run.scene, run.method, effect, outcome, why};
     if (known.insert(row).second) rows.push_back(row);
   };
-  for (const std::string& effect : run.effects->called_for) {
-    const bool simulated = contains(run.effects->simulated, effect);
-    const bool lacking = contains(run.effects->missing, effect);
-    if (simulated || lacking)
-      add(effect, simulated ? "simulated" : "missing", simulated ? "" : "the scene calls for it, the method cannot do it");
+  const EffectPlan& plan = *run.effects;
+  for (const Effect effect : plan.called_for) {
+    if (plan.simulates(effect)) add(effect, EffectOutcome::simulated, "");
+    else if (plan.missing.contains(effect))
+      add(effect, EffectOutcome::missing, "the scene calls for it, the method cannot do it");
   }
-  for (const std::string& effect : run.effects->missing)
-    if (!contains(run.effects->called_for, effect)) add(effect, "missing", "the method cannot do it");
-  for (const auto& [effect, why] : run.effects->skipped) add(effect, "skipped", why);
+  for (const Effect effect : plan.missing)
+    if (!plan.called_for.contains(effect)) add(effect, EffectOutcome::missing, "the method cannot do it");
+  for (const SkippedEffect& skipped : plan.skipped) add(skipped.effect, EffectOutcome::skipped, skipped.why);
 }
 
 }  // namespace
@@ -51,8 +62,8 @@ Table effect_table(const Study& study) {
   Columns<EffectRow> columns;
   columns.text("Scene", "scene", std::mem_fn(&EffectRow::scene))
       .text("Method", "method", std::mem_fn(&EffectRow::method))
-      .text("Effect", "effect", std::mem_fn(&EffectRow::effect))
-      .text("Outcome", "outcome", std::mem_fn(&EffectRow::outcome))
+      .text("Effect", "effect", [](const EffectRow& row) { return to_string(row.effect); })
+      .text("Outcome", "outcome", [](const EffectRow& row) { return to_string(row.outcome); })
       .text("Why", "why", std::mem_fn(&EffectRow::why));
   std::set<EffectRow> known;
   std::vector<EffectRow> rows;
@@ -64,20 +75,21 @@ Table effect_table(const Study& study) {
 
 namespace {
 
-/// Outcomes by effect, in the order of the record.
-std::map<std::string, std::string> outcomes_of(const Effects& effects) {
-  std::map<std::string, std::string> outcomes;
-  for (const std::string& effect : effects.simulated) outcomes[effect] = "simulated";
-  for (const std::string& effect : effects.missing) outcomes[effect] = "missing";
-  for (const auto& skipped : effects.skipped)
-    outcomes[skipped.first] = contains(effects.called_for, skipped.first) ? "not allowed" : "skipped";
+using EffectOutcomes = std::map<Effect, EffectOutcome>;
+
+EffectOutcomes outcomes_of(const EffectPlan& plan) {
+  EffectOutcomes outcomes;
+  for (const Effect effect : plan.simulated) outcomes[effect] = EffectOutcome::simulated;
+  for (const Effect effect : plan.missing) outcomes[effect] = EffectOutcome::missing;
+  for (const SkippedEffect& skipped : plan.skipped)
+    outcomes[skipped.effect] = plan.called_for.contains(skipped.effect) ? EffectOutcome::not_allowed : EffectOutcome::skipped;
   return outcomes;
 }
 
 /// Runs of one scene and method under one plan.
 struct PlannedRuns {
   const StudyRun& first;
-  std::map<std::string, std::string> outcomes;
+  EffectOutcomes outcomes;
 };
 
 std::vector<PlannedRuns> planned_runs(const Study& study) {
@@ -95,17 +107,17 @@ std::vector<PlannedRuns> planned_runs(const Study& study) {
 }
 
 /// First the effects that scenes call for, in the order of the records, then the others by name.
-std::vector<std::string> effects_in_order(const Study& study, const std::vector<PlannedRuns>& plans) {
-  std::vector<std::string> order;
-  const auto add = [&order](const std::string& name) {
-    if (!contains(order, name)) order.push_back(name);
+std::vector<Effect> effects_in_order(const Study& study, const std::vector<PlannedRuns>& plans) {
+  std::vector<Effect> order;
+  const auto add = [&order](Effect effect) {
+    if (std::ranges::find(order, effect) == order.end()) order.push_back(effect);
   };
   for (const StudyRun& run : study.runs)
-    if (run.effects) std::for_each(run.effects->called_for.begin(), run.effects->called_for.end(), add);
-  std::set<std::string> others;
+    if (run.effects) std::ranges::for_each(run.effects->called_for, add);
+  std::map<std::string, Effect> others;
   for (const PlannedRuns& plan : plans)
-    for (const auto& outcome : plan.outcomes) others.insert(outcome.first);
-  std::for_each(others.begin(), others.end(), add);
+    for (const auto& outcome : plan.outcomes) others.emplace(to_string(outcome.first), outcome.first);
+  for (const auto& other : others) add(other.second);
   return order;
 }
 
@@ -130,8 +142,11 @@ Table effect_matrix(const Study& study) {
         const bool several = variants.at({plan.first.scene, plan.first.method}) > 1;
         return several ? plan.first.label : plan.first.method;
       });
-  for (const std::string& effect : effects_in_order(study, plans))
-    columns.text(effect, effect, [effect](const PlannedRuns& plan) { return at(plan.outcomes, effect).value_or(""); });
+  for (const Effect effect : effects_in_order(study, plans))
+    columns.text(to_string(effect), to_string(effect), [effect](const PlannedRuns& plan) {
+      const auto outcome = plan.outcomes.find(effect);
+      return outcome == plan.outcomes.end() ? "" : to_string(outcome->second);
+    });
   columns.cells({"Model error", "model_error"}, [](const PlannedRuns& plan) { return cost_cell(plan.first); });
   return columns.table(
       "effect-matrix",
@@ -187,8 +202,9 @@ Table run_table(const Study& study) {
       .text("Parameters", "parameters", [](const StudyRun& run) { return joined(run.parameters); })
       .whole("Seed", "seed", std::mem_fn(&StudyRun::seed))
       .whole("Threads", "threads", std::mem_fn(&StudyRun::threads));
-  for (const std::string stage : {"load", "prepare", "light", "shade", "shade_surface", "shade_image"})
-    columns.seconds(stage, stage + "_seconds", [stage](const StudyRun& run) { return at(run.seconds, stage); });
+  for (const Stage stage : all_stages)
+    columns.seconds(to_string(stage), std::string(to_string(stage)) + "_seconds",
+                    [stage](const StudyRun& run) { return run.seconds_of(stage); });
   columns.seconds("Wall clock", "wall_seconds", std::mem_fn(&StudyRun::wall_seconds))
       .bytes("Method memory", "method_bytes", std::mem_fn(&StudyRun::method_bytes))
       .bytes("Peak memory", "peak_bytes", std::mem_fn(&StudyRun::peak_bytes));

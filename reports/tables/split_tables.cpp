@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <set>
 
 #include "reports/tables/format.h"
 #include "reports/tables/study_tables.h"
@@ -16,12 +15,7 @@ Cell model_cell(const Metric& metric, bool complete, const MeasuredError* error)
   return complete ? Cell{"none: all light paths", "0"} : error_cell(metric, error);
 }
 
-std::string missing_of(const StudyRun& run) {
-  std::string names;
-  if (run.effects)
-    for (const std::string& effect : run.effects->missing) names += (names.empty() ? "" : ", ") + effect;
-  return names;
-}
+std::string missing_of(const StudyRun& run) { return run.effects ? names_of(run.effects->missing) : std::string(); }
 
 const MeasuredError* at_key(const std::map<ErrorKey, MeasuredError>& errors, const ErrorKey& key) {
   const auto found = errors.find(key);
@@ -65,14 +59,15 @@ void add_parts(Columns<Row>& columns, const Metric& metric, Complete complete) {
 Table call_table(const Study& study) {
   Columns<StudyScene> columns;
   columns.text("Scene", "scene", std::mem_fn(&StudyScene::name));
-  std::set<std::string> known;
+  EffectSet known;
   std::vector<StudyScene> rows;
   for (const StudyScene& scene : study.scenes) {
     if (!scene.effects.empty()) rows.push_back(scene);
-    for (const SceneEffect& effect : scene.effects) {
-      if (!known.insert(effect.effect).second) continue;
-      columns.text(effect.effect, effect.effect, [name = effect.effect](const StudyScene& row) {
-        const auto found = std::ranges::find(row.effects, name, &SceneEffect::effect);
+    for (const EffectEvidence& evidence : scene.effects) {
+      if (!known.insert(evidence.effect).second) continue;
+      const char* name = to_string(evidence.effect);
+      columns.text(name, name, [effect = evidence.effect](const StudyScene& row) {
+        const auto found = std::ranges::find(row.effects, effect, &EffectEvidence::effect);
         return found == row.effects.end() ? "" : verdict(found->called_for);
       });
     }
@@ -89,8 +84,8 @@ Table evidence_table(const Study& study) {
       .text("Evidence", "evidence", std::mem_fn(&EvidenceRow::evidence));
   std::vector<EvidenceRow> rows;
   for (const StudyScene& scene : study.scenes) {
-    for (const SceneEffect& effect : scene.effects)
-      rows.push_back({scene.name, effect.effect, verdict(effect.called_for), effect.evidence});
+    for (const EffectEvidence& effect : scene.effects)
+      rows.push_back({scene.name, to_string(effect.effect), verdict(effect.called_for), effect.why});
     if (!scene.bounces.empty()) rows.push_back({scene.name, "bounces", scene.bounces, scene.bounce_bound});
   }
   return columns.table("scene-evidence", "Why each scene calls for an effect or not.", rows);

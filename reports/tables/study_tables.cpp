@@ -15,11 +15,6 @@ std::string speed_up_text(const SpeedUp& speed) {
   return fmt::format("{}{}{}", speed.at_least ? "≥ " : "", factor(speed.factor), speed.extrapolated ? " *" : "");
 }
 
-std::string shade_stage(const StudyRun& run, Domain domain) {
-  const std::string of_domain = std::string("shade_") + to_string(domain);
-  return run.seconds.contains(of_domain) ? of_domain : "shade";
-}
-
 /// A run on the scene that a table is of.
 struct SceneRow {
   const StudyRun& run;
@@ -55,7 +50,7 @@ std::string scene_slug(const Study& study, std::size_t scene) {
 Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
   const std::string& name = study.scenes[scene].name;
   const Metric metric = metric_info(key.metric);
-  const auto stage = [](const std::string& of) { return [of](const SceneRow& row) { return at(row.run.seconds, of); }; };
+  const auto stage = [](Stage of) { return [of](const SceneRow& row) { return row.run.seconds_of(of); }; };
   const auto counter = [](const std::string& of) { return [of](const SceneRow& row) { return at(row.run.counters, of); }; };
   Columns<SceneRow> columns;
   columns.text("Run", "run", [](const SceneRow& row) { return row.run.label; })
@@ -69,10 +64,9 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
                return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
              })
       .seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
-      .seconds("Prepare", "prepare_seconds", stage("prepare"))
-      .seconds("Light", "light_seconds", stage("light"))
-      .seconds("Shade", "shade_seconds",
-               [&](const SceneRow& row) { return at(row.run.seconds, shade_stage(row.run, key.domain)); })
+      .seconds("Prepare", "prepare_seconds", stage(Stage::prepare))
+      .seconds("Light", "light_seconds", stage(Stage::light))
+      .seconds("Shade", "shade_seconds", [&](const SceneRow& row) { return row.run.shade_seconds(key.domain); })
       .bytes("Method memory", "method_bytes", [](const SceneRow& row) { return row.run.method_bytes; })
       .bytes("Peak memory", "peak_bytes", [](const SceneRow& row) { return row.run.peak_bytes; })
       .count("Closest-hit rays", "closest_hit_rays", counter("closest_hit_rays"))

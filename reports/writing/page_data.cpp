@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "reports/collect/json_reading.h"
+#include "reports/collect/facts.h"
 #include "reports/tables/format.h"
 #include "reports/tables/method_style.h"
 #include "reports/tables/study_tables.h"
@@ -79,17 +79,25 @@ Json error_json(const StudyRun& run, const ErrorKey& key) {
   return error ? drawn_error(metric_info(key.metric), *error) : Json();
 }
 
-Json effects_json(const Effects& effects) {
+Json names_json(const EffectSet& effects) {
+  Json names = Json::array();
+  for (const Effect effect : effects) names.push_back(to_string(effect));
+  return names;
+}
+
+Json effects_json(const EffectPlan& plan) {
   Json skipped = Json::array();
-  for (const auto& [effect, why] : effects.skipped) skipped.push_back({effect, why});
-  return {
-      {"called_for", effects.called_for}, {"simulated", effects.simulated}, {"missing", effects.missing}, {"skipped", skipped}};
+  for (const SkippedEffect& effect : plan.skipped) skipped.push_back({to_string(effect.effect), effect.why});
+  return {{"called_for", names_json(plan.called_for)},
+          {"simulated", names_json(plan.simulated)},
+          {"missing", names_json(plan.missing)},
+          {"skipped", skipped}};
 }
 
 Json run_json(const StudyRun& run, const std::vector<ErrorKey>& keys) {
   Json errors = Json::array(), seconds = Json::object(), counters = Json::array();
   for (const ErrorKey& key : keys) errors.push_back(error_json(run, key));
-  for (const auto& [stage, value] : run.seconds) seconds[stage] = value;
+  for (const auto& [stage, value] : run.seconds) seconds[to_string(stage)] = value;
   for (const auto& [name, count] : run.counters) counters.push_back({name, large_count(count)});
   Json time = Json::object();
   for (const Domain domain : {Domain::surface, Domain::image})
@@ -110,7 +118,7 @@ Json run_json(const StudyRun& run, const std::vector<ErrorKey>& keys) {
           {"time", time},
           {"counters", counters},
           {"warnings", run.warnings},
-          {"termination", run.termination},
+          {"termination", run.termination ? to_string(*run.termination) : ""},
           {"effects", run.effects ? effects_json(*run.effects) : Json()},
           {"details", facts_json(run.details)},
           {"errors", errors}};
@@ -127,7 +135,7 @@ Json missing_effects(const Study& study, const std::string& scene) {
   std::map<std::string, std::set<std::string>> missing;
   for (const std::size_t run : study.runs_of(scene))
     if (const auto& effects = study.runs[run].effects)
-      missing[study.runs[run].method].insert(effects->missing.begin(), effects->missing.end());
+      for (const Effect effect : effects->missing) missing[study.runs[run].method].insert(to_string(effect));
   Json list = Json::array();
   for (const auto& [method, effects] : missing)
     if (!effects.empty()) list.push_back({method, effects});

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "common/core/error.h"
-#include "reports/collect/json_reading.h"
+#include "reports/collect/facts.h"
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
 #include "reports/writing/render_plots.h"

@@ -5,11 +5,11 @@
 #include "common/effects/scene_effects.h"
 #include "common/light_paths/automaton.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "tests/contract/compare.h"
 #include "tests/contract/contract.h"
 #include "tests/contract/run.h"
 #include "tests/contract/scenes.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::contract {
 
@@ -37,7 +37,7 @@ CountedRun counted_run(const MethodEntry& entry, const World& world, const RunOp
 
 /// A cube whose walls face inwards, part of its ceiling a lamp, a point light in it.
 Scene convex_room() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", {0.6F, 0.5F, 0.4F}), lamp = builder.diffuse("lamp", Rgb(0.2F), Rgb(3.0F));
   builder.quad("floor", white, {Vec3{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}});
   builder.quad("ceiling", white, {Vec3{0, 1, 0}, {0.6F, 1, 0}, {0.6F, 1, 1}, {0, 1, 1}});

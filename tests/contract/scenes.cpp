@@ -5,7 +5,7 @@
 
 #include "common/geometry/surface_sampling.h"
 #include "common/scene/light_kinds.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench::contract {
 
@@ -46,8 +46,8 @@ Material ggx(float roughness) {
 }
 
 /// A white room with a lamp, and whatever a test adds to it.
-test::SceneBuilder room() {
-  test::SceneBuilder builder;
+made::SceneBuilder room() {
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   const std::uint32_t lamp = builder.diffuse("lamp", Rgb(0.0F), Rgb(10.0F));
   builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
@@ -56,41 +56,41 @@ test::SceneBuilder room() {
 }
 
 Scene room_with_block_of(const Material& material) {
-  test::SceneBuilder builder = room();
+  made::SceneBuilder builder = room();
   const std::uint32_t index = builder.material(material);
   builder.block("block", index, {0.3F, 0.0F, 0.3F}, {0.7F, 0.4F, 0.7F}, 20.0F);
   return builder.build("room with a block of " + material.name);
 }
 
 /// Triangles without area: corners that coincide, corners in a line, and one as thin as floats can make it.
-void add_degenerate(test::SceneBuilder& builder) {
+void add_degenerate(made::SceneBuilder& builder) {
   builder.object("degenerate", 0,
                  {{0.5F, 0.5F, 0.5F}, {0.6F, 0.5F, 0.5F}, {0.7F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}, {0.6F, 0.5F + 1e-7F, 0.5F}},
                  {{0, 0, 1, 1}, {0, 1, 2, 2}, {0, 0, 0, 0}, {0, 3, 1, 1}, {0, 2, 4, 4}, {0, 1, 2, 3}});
 }
 
 Scene degenerate_faces() {
-  test::SceneBuilder builder = room();
+  made::SceneBuilder builder = room();
   add_degenerate(builder);
   return builder.build("degenerate faces");
 }
 
 Scene nothing_has_area() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.diffuse("white", Rgb(0.7F), Rgb(1.0F));
   add_degenerate(builder);
   return builder.build("nothing has area");
 }
 
 Scene two_sided_plate() {
-  test::SceneBuilder builder = room();
+  made::SceneBuilder builder = room();
   const std::uint32_t red = builder.diffuse("red", {0.7F, 0.1F, 0.1F});
   builder.quad("plate", red, {{{0.2F, 0.5F, 0.2F}, {0.2F, 0.5F, 0.8F}, {0.8F, 0.5F, 0.8F}, {0.8F, 0.5F, 0.2F}}}, true);
   return builder.build("two-sided plate");
 }
 
 Scene under_the_sky() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   builder.quad("ground", white, {{{-1.0F, 0.0F, -1.0F}, {-1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, -1.0F}}});
   builder.block("block", white, {-0.2F, 0.0F, -0.2F}, {0.2F, 0.5F, 0.2F}, 30.0F);
@@ -100,7 +100,7 @@ Scene under_the_sky() {
 }
 
 Scene one_lit_triangle() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   builder.object("triangle", white, {{0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}}, {{0, 1, 2, 2}});
   builder.light(PointLight{{0.3F, 1.0F, 0.3F}, Rgb(1.0F)});
@@ -109,18 +109,18 @@ Scene one_lit_triangle() {
 
 /// Where 1/d² and the cosine both leave the numbers: lights in the plane of a wall and in a corner.
 Scene lights_on_surfaces() {
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.lights = {PointLight{{0.5F, 0.0F, 0.9F}, Rgb(1.0F)}, PointLight{Vec3(0.0F), Rgb(1.0F)},
                     SpotLight{{0.5F, 1.0F, 0.1F}, {0.0F, -1.0F, 0.0F}, Rgb(1.0F), 1.0F, 1.0F}};
-  return test::box_scene(options);
+  return made::box_scene(options);
 }
 
 }  // namespace
 
 Scene plain_box() {
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.lights = {point_light, spot_light()};
-  return test::box_scene(options);
+  return made::box_scene(options);
 }
 
 Scene black_box() {
@@ -130,9 +130,9 @@ Scene black_box() {
 }
 
 Scene dark_box() {
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.lamp_emission = Rgb();
-  return test::box_scene(options);
+  return made::box_scene(options);
 }
 
 Lighting scaled(Lighting lighting, float factor) {

@@ -83,6 +83,8 @@ breach common/scene/b.cpp "sees Assimp" '#include <assimp/scene.h>'
 breach common/scene/b.cpp "sees Valijson" '#include <valijson/schema.hpp>'
 breach bench/measure/b.cpp "callers use a MethodSession" '#include "common/method/method.h"'
 breach common/lighting/b.cpp "a new kind does not compile" 'bool is_point(const Light& light) { return std::holds_alternative<PointLight>(light); }'
+breach bench/measure/b.cpp "a new kind does not compile" 'const Light& after(const SceneEdit& edit) { return std::get<LightEdit>(edit).after; }'
+breach bench/measure/b.cpp "a new kind does not compile" 'double number(const Value& value) { return std::get<std::int64_t>(value); }'
 mapfile -t lines < <(seq 401)
 breach common/core/b.cpp "longer than 400 lines" "${lines[@]}"
 

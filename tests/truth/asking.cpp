@@ -79,9 +79,9 @@ class Asked {
   Asked(const MethodEntry& entry, const World& world, std::optional<int> bounces, const Run& run)
       : world_(world), run_(run), method_(make_session(entry, Parameters(entry.schema, run.settings))) {
     Task task(settings_of(0));
-    if (const auto why = method_->refusal(world.scene())) throw WorkError("refused: " + *why);
+    if (const auto why = method_->refusal(world.scene())) throw BeyondTheMethod("refused: " + *why);
     const EffectPlan plan = plan_effects(analyse_effects(world, bounces), method_->capabilities().effects);
-    if (!plan.missing.empty()) throw WorkError(fmt::format("cannot do: {}", to_string(*plan.missing.begin())));
+    if (!plan.missing.empty()) throw BeyondTheMethod(fmt::format("cannot do: {}", to_string(*plan.missing.begin())));
     require(method_->prepare(world, plan, task));
     require(method_->light(Lighting::of(world.scene()), task));
   }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/core/error.h"
 #include "common/ray/world.h"
 #include "methods/registry.h"
 #include "truth_case.h"
@@ -25,8 +26,14 @@ struct Run {
   int mean_points = 256;  ///< in each group
 };
 
-/// One answer for each question, all of one emitter set and bounce bound, in the world of the case. Throws WorkError where the
-/// method refuses the scene, where it cannot do what the scene calls for, or where a stage fails: the message says why.
+/// The method refuses the scene, or cannot do what the scene calls for.
+class BeyondTheMethod : public WorkError {
+ public:
+  using WorkError::WorkError;
+};
+
+/// One answer for each question, all of one emitter set and bounce bound, in the world of the case. Throws BeyondTheMethod, and
+/// WorkError where a stage fails: the message says why.
 std::vector<Answer> ask(const MethodEntry& entry, const World& world, const std::vector<Question>& questions, const Run& run);
 
 }  // namespace gibench::truth

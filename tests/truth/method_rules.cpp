@@ -110,7 +110,7 @@ std::vector<MethodRule> all_rules() {
   return all;
 }
 
-std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth, const World& world,
+std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth,
                                     const Question& question) {
   for (const auto& [id, why] : rule.not_cases)
     if (id == truth.id || id == question.id) return why;
@@ -120,7 +120,7 @@ std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& e
   if (question.quantity == Quantity::radiosity && can.quantities.contains(Quantity::irradiance)) return std::nullopt;
   if (!can.quantities.contains(question.quantity)) return "the method does not answer this quantity";
   if (question.place == Place::point && rule.clearance > 0.0 &&
-      clearance_of(truth.scene, question) < rule.clearance * static_cast<double>(world.diagonal()))
+      clearance_of(truth.scene(), question) < rule.clearance * static_cast<double>(truth.world->diagonal()))
     return "too near to an edge for a finite-element solution";
   return std::nullopt;
 }

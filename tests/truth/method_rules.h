@@ -37,8 +37,8 @@ struct MethodRule {
 /// Rules of every registered method: of one that has none, the tolerance of 2% at its default settings.
 std::vector<MethodRule> all_rules();
 
-/// Why this question of a case, whose world is given, is not asked of the method; empty where it is.
-std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth, const World& world,
+/// Why this question of a case is not asked of the method; empty where it is.
+std::optional<std::string> left_out(const MethodRule& rule, const MethodEntry& entry, const TruthCase& truth,
                                     const Question& question);
 
 /// Metres from the question's point to the nearest surface that does not hold it, or to the nearest edge of its own plane's

@@ -6,7 +6,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "common/ray/world.h"
 #include "common/scene_io/native/scene_file.h"
 #include "inward_sphere.h"
 
@@ -124,13 +123,10 @@ TruthCase load_case(const std::string& id) {
   result.id = id;
   result.title = j.at("title").get<std::string>();
   result.tags = j.at("tags").get<std::vector<std::string>>();
-  result.scene = parse_scene(j.at("scene").dump(), id, folder());
+  result.world = std::make_shared<const World>(parse_scene(j.at("scene").dump(), id, folder()), 1);
   for (const json& query : j.at("queries")) result.questions.push_back(point_question(query));
-  if (j.contains("other_quantities")) {
-    const World world(result.scene, 1);
-    for (const json& other : j["other_quantities"])
-      if (const auto question = other_question(other, world)) result.questions.push_back(*question);
-  }
+  for (const json& other : j.value("other_quantities", json::array()))
+    if (const auto question = other_question(other, *result.world)) result.questions.push_back(*question);
   for (Question& question : result.questions) {
     question.uncertainty += question.value * relative_error;
     question.smooth = relative_error > 0.0;

@@ -1,13 +1,14 @@
 /// The closed-form and converged cases of cases/*.json: a scene, and questions whose answers are known.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/core/rgb.h"
 #include "common/method/quantity.h"
-#include "common/scene/scene.h"
+#include "common/ray/world.h"
 
 namespace gibench::truth {
 
@@ -37,9 +38,10 @@ struct Question {
 struct TruthCase {
   std::string id, title;
   std::vector<std::string> tags;
-  Scene scene;
+  std::shared_ptr<const World> world;  ///< of its scene; cases run beside one another, so one thread builds it
   std::vector<Question> questions;
 
+  const Scene& scene() const { return world->scene(); }
   bool has_tag(const std::string& tag) const;
 };
 

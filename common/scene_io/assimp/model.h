@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 namespace gibench {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 namespace gibench {
 

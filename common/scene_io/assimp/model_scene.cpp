@@ -15,8 +15,8 @@ void place_light(Light& light, const Vec3& position) {
 }
 
 /// One object for each material of each node of the model.
-void add_model_objects(Model& model, const std::string& place, SceneBuilder& builder) {
-  Scene& scene = builder.scene();
+void add_model_objects(Model& model, const std::string& place, SceneAssembler& assembler) {
+  Scene& scene = assembler.scene();
   UniqueNames object_names, material_names;
   std::vector<std::optional<std::uint32_t>> material_index(model.materials.size());
   for (ModelPart& part : model.parts) {
@@ -33,7 +33,7 @@ void add_model_objects(Model& model, const std::string& place, SceneBuilder& bui
     object.name = object_names.take(node == material || material == "default" ? node : node + "/" + material);
     object.material = *index;
     object.two_sided = source.two_sided;
-    builder.add_object(std::move(object), std::move(part.geometry), place);
+    assembler.add_object(std::move(object), std::move(part.geometry), place);
   }
 }
 
@@ -42,17 +42,17 @@ void add_model_objects(Model& model, const std::string& place, SceneBuilder& bui
 Scene load_model_scene(const std::filesystem::path& file, const std::string& name) {
   Scene scene;
   scene.name = name;
-  SceneBuilder builder(scene);
+  SceneAssembler assembler(scene);
   Model model = read_model(file, file.string(), /*with_materials=*/true);
-  add_model_objects(model, file.string(), builder);
-  builder.finish_geometry(file.string());
+  add_model_objects(model, file.string(), assembler);
+  assembler.finish_geometry(file.string());
   for (ModelLight& light : model.lights) {
-    place_light(light.light, builder.to_local(light.position));
+    place_light(light.light, assembler.to_local(light.position));
     scene.lights.push_back(light.light);
   }
   for (ModelCamera& source : model.cameras) {
-    source.camera.position = builder.to_local(source.position);
-    source.camera.look_at = builder.to_local(source.look_at);
+    source.camera.position = assembler.to_local(source.position);
+    source.camera.look_at = assembler.to_local(source.look_at);
     scene.cameras.push_back(source.camera);
   }
   scene.warnings = std::move(model.warnings);

@@ -16,7 +16,7 @@ using nlohmann::json;
 // Below this sine of the angle between view and up the picture has no upright.
 constexpr double smallest_sine = 1e-6;
 
-void read_view(const json& value, const JsonPlace& place, const SceneBuilder& builder, Camera& camera) {
+void read_view(const json& value, const JsonPlace& place, const SceneAssembler& assembler, Camera& camera) {
   const Vec3d position = read_vector(value["position"]), look_at = read_vector(value["look_at"]);
   if (position == look_at)
     throw InputError(place["look_at"].text(), "the camera looks at its own position", "move position or look_at");
@@ -24,8 +24,8 @@ void read_view(const json& value, const JsonPlace& place, const SceneBuilder& bu
   if (glm::length(glm::cross(glm::normalize(look_at - position), up)) < smallest_sine)
     throw InputError(place["up"].text(), "up is parallel to the view",
                      "give a direction across the view, such as [0, 0, 1] where the camera looks along y");
-  camera.position = builder.to_local(position);
-  camera.look_at = builder.to_local(look_at);
+  camera.position = assembler.to_local(position);
+  camera.look_at = assembler.to_local(look_at);
   camera.up = Vec3(up);
 }
 
@@ -33,15 +33,15 @@ std::string default_name(std::size_t index) { return index == 0 ? "main" : "came
 
 }  // namespace
 
-void read_cameras(const json& cameras, const JsonPlace& place, SceneBuilder& builder) {
-  std::vector<Camera>& read = builder.scene().cameras;
+void read_cameras(const json& cameras, const JsonPlace& place, SceneAssembler& assembler) {
+  std::vector<Camera>& read = assembler.scene().cameras;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const json& value = cameras[i];
     Camera camera;
     camera.name = value.value("name", default_name(i));
     if (std::any_of(read.begin(), read.end(), [&](const Camera& other) { return other.name == camera.name; }))
       throw InputError(place[i]["name"].text(), "there are two cameras named " + in_quotes(camera.name), "rename one of them");
-    read_view(value, place[i], builder, camera);
+    read_view(value, place[i], assembler, camera);
     camera.vertical_fov_degrees = value.value("vertical_fov_degrees", camera.vertical_fov_degrees);
     if (const auto resolution = value.find("resolution"); resolution != value.end())
       camera.width = (*resolution)[0].get<int>(), camera.height = (*resolution)[1].get<int>();

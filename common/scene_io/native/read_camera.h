@@ -4,11 +4,11 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "common/json/json_place.h"
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 namespace gibench {
 
 /// Throws InputError with place, problem and how to fix it.
-void read_cameras(const nlohmann::json& cameras, const JsonPlace& place, SceneBuilder& builder);
+void read_cameras(const nlohmann::json& cameras, const JsonPlace& place, SceneAssembler& assembler);
 
 }  // namespace gibench

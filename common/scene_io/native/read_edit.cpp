@@ -26,8 +26,8 @@ std::vector<std::string> names_of(const std::vector<Named>& list) {
 /// Reads edits in order; materials and lights are those that the edits so far have made.
 class EditReader {
  public:
-  EditReader(const json& lights, const std::filesystem::path& folder, SceneBuilder& builder)
-      : folder_(folder), builder_(builder), materials_(builder.scene().materials), lights_(lights) {}
+  EditReader(const json& lights, const std::filesystem::path& folder, SceneAssembler& assembler)
+      : folder_(folder), assembler_(assembler), materials_(assembler.scene().materials), lights_(lights) {}
 
   SceneEdit read(const json& edit, const JsonPlace& place) {
     static_assert(std::variant_size_v<SceneEdit> == 4, "every kind of edit is read here");
@@ -43,9 +43,9 @@ class EditReader {
  private:
   std::string object_name(const json& value, const JsonPlace& place) const {
     auto name = value.get<std::string>();
-    if (!has_object(builder_.scene(), name))
+    if (!has_object(assembler_.scene(), name))
       throw InputError(place.text(), "there is no object " + in_quotes(name),
-                       known_names("objects", name, names_of(builder_.scene().objects)));
+                       known_names("objects", name, names_of(assembler_.scene().objects)));
     return name;
   }
 
@@ -71,11 +71,11 @@ class EditReader {
     light.update(edit);
     light.erase("light");
     check_against_scene_schema(light, "light", place);
-    return {index, read_light(light, place, folder_, builder_)};
+    return {index, read_light(light, place, folder_, assembler_)};
   }
 
   const std::filesystem::path& folder_;
-  SceneBuilder& builder_;
+  SceneAssembler& assembler_;
   std::vector<Material> materials_;
   json lights_;
 };
@@ -83,9 +83,9 @@ class EditReader {
 }  // namespace
 
 void read_edits(const json& edits, const json& lights, const JsonPlace& place, const std::filesystem::path& folder,
-                SceneBuilder& builder) {
-  EditReader reader(lights, folder, builder);
-  for (std::size_t i = 0; i < edits.size(); ++i) builder.scene().edits.push_back(reader.read(edits[i], place[i]));
+                SceneAssembler& assembler) {
+  EditReader reader(lights, folder, assembler);
+  for (std::size_t i = 0; i < edits.size(); ++i) assembler.scene().edits.push_back(reader.read(edits[i], place[i]));
 }
 
 }  // namespace gibench

@@ -5,13 +5,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "common/json/json_place.h"
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 namespace gibench {
 
 /// Reads edits made one after the other, each on top of those before it. `lights` are the scene file's own. Throws
 /// InputError with place, problem and how to fix it.
 void read_edits(const nlohmann::json& edits, const nlohmann::json& lights, const JsonPlace& place,
-                const std::filesystem::path& folder, SceneBuilder& builder);
+                const std::filesystem::path& folder, SceneAssembler& assembler);
 
 }  // namespace gibench

@@ -46,10 +46,10 @@ struct LightReader {
   const json& from;
   const JsonPlace& place;
   const std::filesystem::path& folder;
-  SceneBuilder& builder;
+  SceneAssembler& assembler;
 
   void operator()(PointLight& light) const {
-    light.position = builder.to_local(read_vector(from["position"]));
+    light.position = assembler.to_local(read_vector(from["position"]));
     light.intensity = read_rgb(from["intensity"], place["intensity"]);
   }
   void operator()(SpotLight& light) const {
@@ -57,7 +57,7 @@ struct LightReader {
     if (outer < inner)
       throw InputError(place["outer_degrees"].text(), "the outer cone is narrower than the inner one",
                        "make outer_degrees at least inner_degrees");
-    light.position = builder.to_local(read_vector(from["position"]));
+    light.position = assembler.to_local(read_vector(from["position"]));
     light.direction = Vec3(read_direction(from["direction"], place["direction"]));
     light.intensity = read_rgb(from["intensity"], place["intensity"]);
     light.cos_inner = cosine_of(inner);
@@ -74,7 +74,7 @@ struct LightReader {
     }
     const JsonPlace file_place = place["file"];
     const auto file = find_file(from["file"].get<std::string>(), folder, file_place.text());
-    light.image = read_picture(file, file_place, builder.scene());
+    light.image = read_picture(file, file_place, assembler.scene());
     if (from.contains("scale")) light.radiance = read_rgb(from["scale"], place["scale"]);
     light.rotate_y_degrees = static_cast<float>(std::remainder(from.value("rotate_y_degrees", 0.0), 360.0));
   }
@@ -82,10 +82,10 @@ struct LightReader {
 
 }  // namespace
 
-Light read_light(const json& light, const JsonPlace& place, const std::filesystem::path& folder, SceneBuilder& builder) {
+Light read_light(const json& light, const JsonPlace& place, const std::filesystem::path& folder, SceneAssembler& assembler) {
   std::optional<Light> read = light_of_kind(light["type"].get<std::string>());
   GIBENCH_CHECK(read.has_value(), "the schema lets only known kinds of light pass");
-  std::visit(LightReader{light, place, folder, builder}, *read);
+  std::visit(LightReader{light, place, folder, assembler}, *read);
   return *read;
 }
 

@@ -5,11 +5,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "common/json/json_place.h"
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 namespace gibench {
 
 /// Pictures are looked up beside `folder`, then in GIBENCH_PATH. Throws InputError with place, problem and how to fix it.
-Light read_light(const nlohmann::json& light, const JsonPlace& place, const std::filesystem::path& folder, SceneBuilder& builder);
+Light read_light(const nlohmann::json& light, const JsonPlace& place, const std::filesystem::path& folder,
+                 SceneAssembler& assembler);
 
 }  // namespace gibench

@@ -63,13 +63,13 @@ void check_name_is_new(const Scene& scene, const std::string& name, const JsonPl
 }
 
 void read_file_object(const json& value, Object object, const JsonPlace& place, const std::filesystem::path& folder,
-                      SceneBuilder& builder) {
+                      SceneAssembler& assembler) {
   const JsonPlace file_place = place["file"];
   const auto file = find_file(value["file"].get<std::string>(), folder, file_place.text());
   const bool own_materials = !value.contains("material");
   const Transform transform = read_transform(value, place);
   Model model = read_model(file, file_place.text(), own_materials);
-  Scene& scene = builder.scene();
+  Scene& scene = assembler.scene();
   for (const std::string& warning : model.warnings) scene.warnings.push_back("object " + in_quotes(object.name) + ": " + warning);
   if (!model.lights.empty() || !model.cameras.empty())
     scene.warnings.push_back("object " + in_quotes(object.name) + ": the lights and cameras of its file are left out");
@@ -79,7 +79,7 @@ void read_file_object(const json& value, Object object, const JsonPlace& place, 
     transform_geometry(transform, part.geometry);
     by_material[own_materials ? part.material : 0].append(part.geometry);
   }
-  if (!own_materials) return builder.add_object(std::move(object), std::move(by_material[0]), file_place.text());
+  if (!own_materials) return assembler.add_object(std::move(object), std::move(by_material[0]), file_place.text());
   UniqueNames names;
   for (const Material& material : scene.materials) names.take(material.name);
   for (std::size_t m = 0; m < by_material.size(); ++m) {
@@ -92,29 +92,29 @@ void read_file_object(const json& value, Object object, const JsonPlace& place, 
     part.material = static_cast<std::uint32_t>(scene.materials.size());
     part.two_sided = value.value("two_sided", model.materials[m].two_sided);
     scene.materials.push_back(std::move(material));
-    builder.add_object(std::move(part), std::move(by_material[m]), file_place.text());
+    assembler.add_object(std::move(part), std::move(by_material[m]), file_place.text());
   }
 }
 
 }  // namespace
 
-void read_object(const json& value, const JsonPlace& place, const std::filesystem::path& folder, SceneBuilder& builder) {
+void read_object(const json& value, const JsonPlace& place, const std::filesystem::path& folder, SceneAssembler& assembler) {
   Object object;
   object.name = value["name"].get<std::string>();
   object.two_sided = value.value("two_sided", false);
   object.group = value.value("group", std::string());
-  check_name_is_new(builder.scene(), object.name, place);
+  check_name_is_new(assembler.scene(), object.name, place);
   if (const auto material = value.find("material"); material != value.end())
-    object.material = find_material(builder.scene(), material->get<std::string>(), place["material"]);
-  if (value.contains("file")) return read_file_object(value, std::move(object), place, folder, builder);
+    object.material = find_material(assembler.scene(), material->get<std::string>(), place["material"]);
+  if (value.contains("file")) return read_file_object(value, std::move(object), place, folder, assembler);
   ObjectGeometry geometry = read_inline_geometry(value, place);
   const std::size_t given = geometry.vertices.size();
   transform_geometry(read_transform(value, place), geometry);
-  builder.add_object(std::move(object), std::move(geometry), place.text());
-  const Object& added = builder.scene().objects.back();
+  assembler.add_object(std::move(object), std::move(geometry), place.text());
+  const Object& added = assembler.scene().objects.back();
   if (const std::size_t unused = given - (added.vertex_end - added.vertex_begin); unused > 0)
-    builder.scene().warnings.push_back("object " + in_quotes(added.name) + ": " + std::to_string(unused) +
-                                       " vertices belong to no face and are left out");
+    assembler.scene().warnings.push_back("object " + in_quotes(added.name) + ": " + std::to_string(unused) +
+                                         " vertices belong to no face and are left out");
 }
 
 }  // namespace gibench

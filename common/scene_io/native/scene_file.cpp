@@ -29,7 +29,7 @@ const json& part_or(const json& document, const char* key, const json& absent) {
 
 void read_document(const json& document, const JsonPlace& top, const fs::path& folder, Scene& scene) {
   const json no_list = json::array(), no_object = json::object();
-  SceneBuilder builder(scene);
+  SceneAssembler assembler(scene);
   for (const auto& [name, material] : part_or(document, "materials", no_object).items())
     scene.materials.push_back(read_material(material, name, top["materials"][name]));
   const json& objects = document["objects"];
@@ -38,15 +38,15 @@ void read_document(const json& document, const JsonPlace& top, const fs::path& f
     const JsonPlace place = top["objects"][i];
     if (const auto name = objects[i]["name"].get<std::string>(); !names.insert(name).second)
       throw InputError(place["name"].text(), "there are two objects named " + in_quotes(name), "rename one of them");
-    read_object(objects[i], place, folder, builder);
+    read_object(objects[i], place, folder, assembler);
   }
-  builder.finish_geometry(top["objects"].text());
+  assembler.finish_geometry(top["objects"].text());
 
   const json& lights = part_or(document, "lights", no_list);
   for (std::size_t i = 0; i < lights.size(); ++i)
-    scene.lights.push_back(read_light(lights[i], top["lights"][i], folder, builder));
-  read_cameras(part_or(document, "cameras", no_list), top["cameras"], builder);
-  read_edits(part_or(document, "edits", no_list), lights, top["edits"], folder, builder);
+    scene.lights.push_back(read_light(lights[i], top["lights"][i], folder, assembler));
+  read_cameras(part_or(document, "cameras", no_list), top["cameras"], assembler);
+  read_edits(part_or(document, "edits", no_list), lights, top["edits"], folder, assembler);
   if (const auto exposure = document.find("exposure"); exposure != document.end())
     scene.exposure = read_exposure(*exposure, top["exposure"]);
 }

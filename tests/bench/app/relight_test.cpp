@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "bench/measure/light_path.h"
+#include "bench/measure/moving_lights.h"
 #include "common/scene_io/load.h"
 #include "tests/bench/app/program.h"
 
@@ -172,8 +172,8 @@ TEST(Relight, BadPathsNameFilePlaceAndMend) {
   expect_bad_input(relight(shop, bad_albedo), {"path.json", "$.switches[0].albedo", "1.5"});
 }
 
-/// Every light path beside the scenes is one of the scene that it is named after.
-TEST(LightPaths, OfTheScenesAreReadable) {
+/// Every file of moving lights beside the scenes is one of the scene that it is named after.
+TEST(MovingLights, OfTheScenesAreReadable) {
   namespace fs = std::filesystem;
   int found = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(GIBENCH_SOURCE_DIR "/scenes")) {
@@ -181,7 +181,7 @@ TEST(LightPaths, OfTheScenesAreReadable) {
     if (!name.ends_with(ending)) continue;
     ++found;
     const Scene scene = load_scene(entry.path().parent_path() / (name.substr(0, name.size() - ending.size()) + ".scene.json"));
-    EXPECT_GT(read_light_path(entry.path(), scene, std::nullopt).size(), 1U) << name;
+    EXPECT_GT(read_moving_lights(entry.path(), scene, std::nullopt).size(), 1U) << name;
   }
   EXPECT_GE(found, 3);
 }

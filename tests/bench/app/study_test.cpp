@@ -303,7 +303,7 @@ TEST(Study, RelightsAndKeepsWhatItRelit) {
   EXPECT_EQ(shop.read(file), first);
   shop.write("path.json", Json{{"gibench_light_path", 1}, {"frames", 3}});
   ASSERT_EQ(study(shop, relit_study()).status, 0);
-  EXPECT_EQ(shop.read_json(file)["frames"].size(), 3U) << "another light path is another relighting";
+  EXPECT_EQ(shop.read_json(file)["frames"].size(), 3U) << "other moving lights are another relighting";
 }
 
 TEST(Study, WithoutPicturesHasErrorsAtTheSurfaceAlone) {

@@ -5,7 +5,7 @@
 
 #include "bench/measure/run_method.h"
 #include "common/core/error.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -42,7 +42,7 @@ MethodEntry entry_of() {
 }
 
 RunOutcome run_in_a_box(const MethodEntry& entry) {
-  const LoadedScene scene{std::make_unique<World>(test::box_scene(), 1)};
+  const LoadedScene scene{std::make_unique<World>(made::box_scene(), 1)};
   MeasuringOptions measuring;
   measuring.surface_samples = 16;
   measuring.pixel_samples = 1;

@@ -47,7 +47,7 @@ RunRecord run_record() {
   record.plan.skipped = {{Effect::environment, "no environment light"}};
   record.plan.max_bounces = 12;
   record.light_paths = "C.{0,1}[LOB]", record.completed = {Component::direct}, record.load_seconds = 0.5;
-  StageRecord prepare{"prepare", {}}, surface{"shade_surface", {}}, image{"shade_image", {}};
+  StageRecord prepare{Stage::prepare, {}}, surface{Stage::shade_surface, {}}, image{Stage::shade_image, {}};
   prepare.report.termination = Termination::bound_reached, prepare.report.message = "12 bounces", prepare.report.seconds = 2.0;
   prepare.report.counters.add("links", 17);
   surface.report.seconds = 0.25, image.report.seconds = 0.5;
@@ -92,7 +92,8 @@ TEST(RunRecord, OfLittleIsReadAsItWasWritten) {
 TEST(RunRecord, WhatIsNoneIsRefusedByName) {
   const test::ScratchFolder folder;
   for (const std::string text : {"[1]", "{}", "{\"gibench_result\": 1, \"seed\": \"x\"}", "{\"gibench_result\": 2}",
-                                 "{\"gibench_result\": 1, \"effects\": {\"missing\": [\"magic\"]}}"}) {
+                                 "{\"gibench_result\": 1, \"effects\": {\"missing\": [\"magic\"]}}",
+                                 "{\"gibench_result\": 1, \"stages\": [{\"stage\": \"magic\", \"termination\": \"done\"}]}"}) {
     write_file_atomically(folder / result_file, text);
     try {
       read_run_record(folder / result_file);
@@ -101,6 +102,18 @@ TEST(RunRecord, WhatIsNoneIsRefusedByName) {
       EXPECT_THAT(error.what(), HasSubstr("result.json")) << text;
     }
   }
+}
+
+TEST(RunRecord, EveryTerminationAndStageIsReadByItsName) {
+  for (const Termination termination : all_terminations)
+    for (const Stage stage : {Stage::prepare, Stage::light, Stage::shade_surface, Stage::shade_image}) {
+      RunRecord record;
+      record.stages = {{stage, {}}};
+      record.stages.front().report.termination = termination;
+      const RunRecord read = run_record_of(to_json(record));
+      EXPECT_EQ(read.stages.front().stage, stage);
+      EXPECT_EQ(read.stages.front().report.termination, termination) << to_string(termination);
+    }
 }
 
 TEST(RelightRecord, IsReadAsItWasWritten) {
@@ -128,7 +141,7 @@ TEST(ReferenceRecord, IsReadAsItWasWritten) {
   write_file_atomically(folder / reference_file, to_json(record).dump(2));
   const ReferenceRecord read = read_reference_record(folder / reference_file);
   EXPECT_EQ(to_json(read).dump(2), to_json(record).dump(2));
-  EXPECT_EQ(read.facts.samples(), 512U);
+  EXPECT_EQ(read.facts.total_samples(), 512U);
 }
 
 TEST(ProcessRecord, IsReadAsItWasWritten) {

@@ -9,14 +9,14 @@
 #include "common/effects/plan_paths.h"
 #include "common/effects/sealed.h"
 #include "common/light_paths/automaton.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
 
-using test::box_scene;
-using test::BoxOptions;
-using test::SceneBuilder;
+using made::box_scene;
+using made::BoxOptions;
+using made::SceneBuilder;
 using testing::HasSubstr;
 
 EffectSet called_for(const Scene& scene, std::optional<int> bounces = std::nullopt) {

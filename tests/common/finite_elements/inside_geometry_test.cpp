@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -13,7 +13,7 @@ class InsideGeometry : public testing::TestWithParam<bool> {
   InsideGeometry() : world_(scene(GetParam())) {}
 
   static Scene scene(bool two_sided) {
-    test::SceneBuilder builder;
+    made::SceneBuilder builder;
     const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
     builder.room("room", white, Vec3(0.0F), Vec3(4.0F));
     const auto cube = [](float x, float y, float z) { return Vec3(1.0F + x, 1.0F + y, 1.0F + z); };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench::test {
 namespace {
@@ -35,7 +35,7 @@ Scene ball(std::uint32_t rings, std::uint32_t sectors, const Radius& radius) {
       faces.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1), at(r, s + 1)});
     }
   }
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("ball", builder.diffuse("white", Rgb(0.5F)), vertices, faces);
   return builder.build("ball");
 }
@@ -55,13 +55,13 @@ Scene prism(const std::vector<Vec2>& outline, const Faces& bottom_up) {
     const std::uint32_t next = (i + 1) % count;
     faces.push_back({i, next, next + count, i + count});
   }
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("prism", builder.diffuse("white", Rgb(0.5F)), vertices, faces);
   return builder.build("prism");
 }
 
 TEST(GeometryReport, RoomOfSixQuads) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("white", Rgb(0.5F)), {0, 0, 0}, {1, 2, 3});
   const GeometryReport report = report_geometry(builder.build("room"));
   EXPECT_EQ(report.faces, 6U);
@@ -78,7 +78,7 @@ TEST(GeometryReport, RoomOfSixQuads) {
 }
 
 TEST(GeometryReport, SeparateQuadsOfOneBoxAreClosed) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   const Vec3 a(0.1F, 0.2F, 0.3F), b(1.1F, 1.2F, 1.3F);
   builder.quad("x0", white, {Vec3(a.x, a.y, a.z), {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}});
@@ -103,7 +103,7 @@ TEST(GeometryReport, SeparateQuadsOfOneBoxAreClosed) {
 }
 
 TEST(GeometryReport, OpenBoxIsNeitherClosedNorConvex) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("tray", builder.diffuse("white", Rgb(0.5F)),
                  {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                  {{0, 1, 2, 3}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}});
@@ -116,7 +116,7 @@ TEST(GeometryReport, OpenBoxIsNeitherClosedNorConvex) {
 }
 
 TEST(GeometryReport, TwoBlocksAreTwoComponents) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.block("a", white, {0, 0, 0}, {1, 1, 1}).block("b", white, {3, 0, 0}, {4, 1, 1});
   const Scene scene = builder.build("two");
@@ -140,7 +140,7 @@ TEST(GeometryReport, LShapedRoomIsNotConvex) {
 }
 
 TEST(GeometryReport, DegenerateFacesAndDuplicateVerticesAreCounted) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("odd", builder.diffuse("white", Rgb(0.5F)), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {1, 0, 0}},
                  {{0, 1, 2, 2}, {0, 1, 1, 1}, {0, 1, 3, 3}, {0, 1, 4, 4}, {0, 0, 1, 2}, {2, 2, 2, 2}});
   const GeometryReport report = report_geometry(builder.build("odd"));
@@ -152,7 +152,7 @@ TEST(GeometryReport, DegenerateFacesAndDuplicateVerticesAreCounted) {
 }
 
 TEST(GeometryReport, FanAndFlippedFaces) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("fan", builder.diffuse("white", Rgb(0.5F)), {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 1}},
                  {{0, 1, 2, 2}, {0, 1, 3, 3}, {0, 1, 4, 4}, {1, 2, 5, 5}});
   const GeometryReport report = report_geometry(builder.build("fan"));
@@ -176,7 +176,7 @@ TEST(GeometryReport, BallsWithAndWithoutADent) {
 }
 
 TEST(GeometryReport, BoundsAreInFileCoordinates) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.block("a", builder.diffuse("white", Rgb(0.5F)), {-1, -1, -1}, {1, 1, 1});
   Scene scene = builder.build("far");
   scene.origin = {1e6, 2.0, -3.0};

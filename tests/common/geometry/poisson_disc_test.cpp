@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/geometry/surface_sampling.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -31,14 +31,14 @@ bool conflict(const DiscPoint& a, const DiscPoint& b, float radius) {
 }
 
 Scene one_quad(const Vec3& along = {1, 0, 0}, const Vec3& across = {0, 0, -1}, bool two_sided = false) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("quad", white, {{{0, 0, 0}, along, along + across, across}}, two_sided);
   return builder.build("quad");
 }
 
 TEST(PoissonDisc, KeepsSamplesApartByTheScaledDistanceOnAllLevels) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   const Levels levels = place(world, {0.2F, 0.1F, 0.05F});
   float radius = 0.2F;
   std::vector<DiscPoint> before;
@@ -54,7 +54,7 @@ TEST(PoissonDisc, KeepsSamplesApartByTheScaledDistanceOnAllLevels) {
 }
 
 TEST(PoissonDisc, LeavesHardlyAnyRoomForAnotherSample) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   const Levels levels = place(world, {0.1F, 0.05F});
   std::vector<DiscPoint> placed;
   float radius = 0.1F;
@@ -90,7 +90,7 @@ TEST(PoissonDisc, HalvingTheRadiusQuadruplesTheSamples) {
 }
 
 TEST(PoissonDisc, SamplesMayTouchOverARightAngle) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("floor", white, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("wall", white, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
@@ -106,7 +106,7 @@ TEST(PoissonDisc, SamplesMayTouchOverARightAngle) {
 }
 
 TEST(PoissonDisc, IsTheSameForAnyNumberOfThreads) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   PoissonDiscOptions one, two;
   one.threads = 1, two.threads = 2;
   const Levels a = place(world, {0.1F, 0.05F, 0.025F}, one), b = place(world, {0.1F, 0.05F, 0.025F}, two);
@@ -117,7 +117,7 @@ TEST(PoissonDisc, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(PoissonDisc, IsUniformByArea) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("small", white, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("large", white, {{{5, 0, 0}, {5, 0, 2}, {7, 0, 2}, {7, 0, 0}}});
@@ -160,7 +160,7 @@ TEST(PoissonDisc, StopsWhenCancelled) {
 }
 
 TEST(PoissonDisc, LivesWithFacesOfZeroArea) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.object("needle", white, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2, 2}});
   const World nothing(builder.build("needle"), 1);
@@ -173,7 +173,7 @@ TEST(PoissonDisc, LivesWithFacesOfZeroArea) {
 }
 
 TEST(LitSides, SkipsUnwantedObjects) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   std::vector<std::uint8_t> wanted(world.scene().objects.size(), 0);
   wanted[1] = 1;
   for (const SurfaceSide& side : lit_sides(world, wanted)) EXPECT_EQ(world.scene().triangle_object[side.triangle], 1U);

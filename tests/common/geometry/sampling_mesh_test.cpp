@@ -9,7 +9,7 @@
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench::test {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 constexpr float rounding = 1e-5F;
 
 World room(bool two_sided = false) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   builder.room("room", white, Vec3(0.0F), Vec3(1.0F, 2.0F, 3.0F));
   builder.quad("plate", white, {{{0.2F, 1.0F, 0.2F}, {0.2F, 1.0F, 0.8F}, {0.8F, 1.0F, 0.8F}, {0.8F, 1.0F, 0.2F}}}, two_sided);
@@ -26,7 +26,7 @@ World room(bool two_sided = false) {
 
 /// A slanting quad that is not planar, an isosceles sliver, a fan around a corner, and faces without area.
 World oddments() {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   builder.object("bent", white, {{0, 0, 0}, {2, 0, 0}, {2, 0.5F, 2}, {0, 0, 2}}, {{0, 3, 2, 1}});
   builder.object("sliver", white, {{0, 1, 0}, {5, 1, 0}, {5, 1, 0.01F}}, {{0, 2, 1, 1}});
@@ -40,7 +40,7 @@ World oddments() {
 
 /// A triangle that welding its vertices would leave without area.
 World thin_sliver() {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
   builder.object("thinner than welding", white, {{0, 6, 0}, {1, 6, 0}, {2, 6, 0}, {1, 6, 2e-6F}}, {{0, 3, 2, 2}, {0, 1, 2, 2}});
   return World(builder.build("thin sliver"));
@@ -63,7 +63,7 @@ World sphere(int rows, int columns) {
     for (int row = 1; row + 1 < rows; ++row)
       faces.push_back({at(row, column), at(row + 1, column), at(row + 1, column + 1), at(row, column + 1)});
   }
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("sphere", builder.diffuse("white", Rgb(0.7F)), vertices, faces);
   return World(builder.build("sphere"));
 }
@@ -240,7 +240,7 @@ TEST(SamplingMesh, EdgeLengthGivesAboutTheVerticesAskedFor) {
 }
 
 TEST(SamplingMesh, SceneWithoutAreaIsEmpty) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("nothing", builder.diffuse("white", Rgb(0.7F)), {{0, 3, 0}, {1, 3, 0}, {2, 3, 0}}, {{0, 1, 2, 2}});
   const World world(builder.build("nothing"));
   const SamplingMesh mesh(world);

@@ -9,12 +9,12 @@
 #include "common/lighting/light_choice.h"
 #include "common/lighting/punctual_lights.h"
 #include "common/lighting/scene_lights.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
 
-using test::SceneBuilder;
+using made::SceneBuilder;
 
 /// A unit square about the origin in the plane z = 0 that looks up, and what is above it.
 struct Plate {

@@ -7,7 +7,7 @@
 #include "common/lighting/mis.h"
 #include "common/lighting/spherical_triangle.h"
 #include "common/lighting/triangle_emitter.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -61,7 +61,7 @@ TEST(SphericalTriangle, StaysFiniteSeenFromItsPlaneAndItsCorners) {
 
 /// One triangle in the plane z = 0 whose front looks up.
 World triangle_world(bool two_sided) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object("lamp", builder.diffuse("lamp", Rgb(), Rgb(2.0F)), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 2}}, two_sided);
   return World(builder.build("lamp"), 1);
 }

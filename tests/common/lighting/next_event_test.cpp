@@ -4,13 +4,13 @@
 
 #include "common/core/random.h"
 #include "common/ray/ray_stream.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
 
 Scene lit_box() {
-  Scene scene = test::box_scene();
+  Scene scene = made::box_scene();
   EnvironmentLight sky;
   sky.radiance = Rgb(2.0F);
   scene.lights.push_back(sky);

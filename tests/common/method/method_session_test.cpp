@@ -11,8 +11,8 @@
 
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/scene/made_scenes.h"
 #include "tests/support/check_failed.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
@@ -49,7 +49,7 @@ class ScriptedMethod : public TransportMethod {
 
 class Session : public testing::Test {
  protected:
-  Session() : world(test::box_scene(), 1), lighting(Lighting::of(world.scene())) {
+  Session() : world(made::box_scene(), 1), lighting(Lighting::of(world.scene())) {
     samples = area_uniform_samples(world, 10, 1);
     for (const SurfaceSample& sample : samples) normals.push_back(sample.normal);
     direct.resize(samples.size());
@@ -176,9 +176,9 @@ TEST_F(Session, RelightingDoesNotPrepareAgain) {
 
 TEST_F(Session, AnEditPreparesAndLightsAgainByDefault) {
   make_ready();
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.blocks = false;
-  const World after(test::box_scene(options), 1);
+  const World after(made::box_scene(options), 1);
   const SceneEdit edit = MoveEdit{"tall", {0, 0, 0}, {0, 0, 0}};
   EXPECT_EQ(session.edit(edit, after, Lighting::of(after.scene()), task).termination, Termination::done);
   EXPECT_EQ(method.prepared, 2);
@@ -261,9 +261,9 @@ class LightsThatComeOn : public Session {
     plan = plan_effects(analyse_effects(dark), effects_of(method.can));
   }
   static Scene dark_room() {
-    test::BoxOptions options;
+    made::BoxOptions options;
     options.lamp_emission = Rgb();
-    return test::box_scene(options);
+    return made::box_scene(options);
   }
 
   World dark;

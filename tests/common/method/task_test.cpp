@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
 
 TEST(Task, CountsItsOwnRaysAndNoOthers) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   Task first, second;
   const Ray ray{{0.5F, 0.5F, 0.5F}, 0.0F, {0.0F, 0.0F, 1.0F}};
   first.parallel_chunks(10, 3, [&](const ChunkRange& range) {

@@ -11,7 +11,7 @@
 #include "common/geometry/surface_sampling.h"
 #include "common/ray/coplanar_pairs.h"
 #include "common/ray/world.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -37,7 +37,7 @@ struct Part {
 /// The parts in this order, or the other way round.
 Scene sheets(std::vector<Part> parts, bool reversed = false) {
   if (reversed) std::reverse(parts.begin(), parts.end());
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   for (const Part& part : parts)
     builder.quad(part.name, builder.diffuse(part.name, Rgb(0.5F), part.emission), part.corners, part.two_sided);
   return builder.build("sheets");
@@ -107,21 +107,21 @@ TEST(CoincidentFaces, AMillimetreIsToldApart) {
 
 TEST(CoincidentFaces, NeighboursAndCrossingSheetsAreNoPairs) {
   // A lattice of coplanar quads, tilted so that its corners are rounded, and a box.
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   const auto place = [](int i, int j) { return Vec3(0.1F * static_cast<float>(i), 0.0F, 0.1F * static_cast<float>(j)); };
   for (int i = 0; i < 30; ++i)
     for (int j = 0; j < 30; ++j)
       builder.quad("q" + std::to_string(30 * i + j), white, {place(i, j), place(i, j + 1), place(i + 1, j + 1), place(i + 1, j)});
   for (const float degrees : {0.0F, 17.0F, 73.0F}) {
-    const Scene scene = test::transformed(builder.build("lattice"), 3.7F, {0.3F, 0.5F, 0.8F}, degrees, Vec3(40.0F, 3.0F, 9.0F));
+    const Scene scene = made::transformed(builder.build("lattice"), 3.7F, {0.3F, 0.5F, 0.8F}, degrees, Vec3(40.0F, 3.0F, 9.0F));
     EXPECT_TRUE(coplanar_pairs(scene.vertices, scene.triangles, 2).empty()) << degrees;
   }
-  test::BoxOptions empty;
+  made::BoxOptions empty;
   empty.blocks = false;
-  const Scene box = test::box_scene(empty);
+  const Scene box = made::box_scene(empty);
   EXPECT_TRUE(coplanar_pairs(box.vertices, box.triangles, 2).empty());
-  const Scene crossing = test::random_triangles(2000, 1.0F, 0.2F, 5);
+  const Scene crossing = made::random_triangles(2000, 1.0F, 0.2F, 5);
   EXPECT_TRUE(coplanar_pairs(crossing.vertices, crossing.triangles, 2).empty());
 }
 
@@ -131,7 +131,7 @@ TEST(CoincidentFaces, AreFoundWhereverTheSceneLiesAndCounted) {
                               {"c", square(1.0F, 0.0F, false), Rgb()},
                               {"rug", square(0.25F, 0.0F), Rgb()}});
   for (const float degrees : {0.0F, 17.0F, 73.0F}) {
-    const Scene moved = test::transformed(scene, 3.7F, {0.3F, 0.5F, 0.8F}, degrees, Vec3(40.0F, 3.0F, 9.0F));
+    const Scene moved = made::transformed(scene, 3.7F, {0.3F, 0.5F, 0.8F}, degrees, Vec3(40.0F, 3.0F, 9.0F));
     const std::vector<CoplanarPair> pairs = coplanar_pairs(moved.vertices, moved.triangles, 1);
     const CoincidenceCounts counts = count_coincidences(pairs);
     EXPECT_EQ(counts.twins, 2U);
@@ -143,7 +143,7 @@ TEST(CoincidentFaces, AreFoundWhereverTheSceneLiesAndCounted) {
 }
 
 TEST(CoincidentFaces, ABlockStandsOnTheFloorItCovers) {
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   std::set<std::string> names;
   for (const CoplanarPair& pair : world.geometry().coplanar()) {
     EXPECT_FALSE(pair.same_winding);

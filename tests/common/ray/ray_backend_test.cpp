@@ -13,10 +13,10 @@
 #include "common/ray/embree/embree_backend.h"
 #include "common/ray/ray_stream.h"
 #include "common/ray/world.h"
+#include "common/scene/made_scenes.h"
 #include "common/scene/tessellate.h"
 #include "tests/common/ray/brute_force.h"
 #include "tests/support/check_failed.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
@@ -57,7 +57,7 @@ Ray downward(float x, float z) {
 class RayBackends : public testing::TestWithParam<NamedBackend> {};
 
 TEST_P(RayBackends, FindTheTriangleThatBruteForceFinds) {
-  const Scene scene = test::random_triangles(1500, 1.0F, 0.25F, 3);
+  const Scene scene = made::random_triangles(1500, 1.0F, 0.25F, 3);
   const auto backend = GetParam().over(scene);
   int hits = 0, misses = 0, close_calls = 0;
   for (const Ray& ray : random_rays(4000, 1.2F, 4)) {
@@ -81,7 +81,7 @@ TEST_P(RayBackends, FindTheTriangleThatBruteForceFinds) {
 }
 
 TEST_P(RayBackends, BarycentricsAndDistanceDescribeTheSamePoint) {
-  const Scene scene = test::random_triangles(500, 1.0F, 0.5F, 5);
+  const Scene scene = made::random_triangles(500, 1.0F, 0.5F, 5);
   const auto backend = GetParam().over(scene);
   int hits = 0;
   for (const Ray& ray : random_rays(2000, 1.0F, 6)) {
@@ -96,7 +96,7 @@ TEST_P(RayBackends, BarycentricsAndDistanceDescribeTheSamePoint) {
 }
 
 TEST_P(RayBackends, OcclusionAgreesWithTheClosestHit) {
-  const Scene scene = test::random_triangles(1500, 1.0F, 0.25F, 7);
+  const Scene scene = made::random_triangles(1500, 1.0F, 0.25F, 7);
   const auto backend = GetParam().over(scene);
   int blocked = 0;
   for (Ray ray : random_rays(4000, 1.2F, 8)) {
@@ -121,7 +121,7 @@ class RayBatches : public testing::TestWithParam<std::tuple<NamedBackend, std::s
 };
 
 TEST_P(RayBatches, EqualOneByOne) {
-  const Scene scene = test::random_triangles(1500, 1.0F, 0.25F, 9);
+  const Scene scene = made::random_triangles(1500, 1.0F, 0.25F, 9);
   const auto backend = over(scene);
   std::vector<Ray> rays = random_rays(length(), 1.2F, 10);
   for (std::size_t i = 0; i < rays.size(); i += 3) rays[i].t_min = 0.5F, rays[i].t_max = 1.5F;
@@ -140,7 +140,7 @@ TEST_P(RayBatches, EqualOneByOne) {
 }
 
 TEST_P(RayBatches, FansEqualOneByOne) {
-  const Scene scene = test::random_triangles(1500, 1.0F, 0.25F, 9);
+  const Scene scene = made::random_triangles(1500, 1.0F, 0.25F, 9);
   const auto backend = over(scene);
   const Vec3 origin(0.1F, -0.05F, 0.2F);
   std::vector<float> x, y, z;
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Lengths, RayBatches,
                                           testing::Values(0, 1, 7, 8, 16, 17, 63, 64, 65, 1000)));
 
 TEST_P(RayBackends, DirectionsNeedNotBeUnit) {
-  const auto backend = GetParam().over(test::box_scene());
+  const auto backend = GetParam().over(made::box_scene());
   const Hit hit = backend->closest_hit(downward(0.5F, 0.1F));
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit.distance, 0.45F, 1e-6F);
@@ -184,7 +184,7 @@ TEST_P(RayBackends, AnEmptySceneHitsNothing) {
 }
 
 TEST_P(RayBackends, DegenerateTrianglesAreLivedWith) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   const Vec3 a(0.2F, 0.5F, 0.2F), b(0.8F, 0.5F, 0.8F);
   builder.object("point", white, {a}, {{0, 0, 0, 0}})
@@ -201,7 +201,7 @@ TEST_P(RayBackends, DegenerateTrianglesAreLivedWith) {
 }
 
 TEST_P(RayBackends, RefuseAnswersOfAnotherLength) {
-  const auto backend = GetParam().over(test::box_scene());
+  const auto backend = GetParam().over(made::box_scene());
   const std::vector<Ray> rays(3);
   std::vector<Hit> hits(2);
   std::vector<std::uint8_t> occluded(4);
@@ -210,7 +210,7 @@ TEST_P(RayBackends, RefuseAnswersOfAnotherLength) {
 }
 
 TEST_P(RayBackends, AreCountedByTheStreamRayByRay) {
-  const auto backend = GetParam().over(test::box_scene());
+  const auto backend = GetParam().over(made::box_scene());
   RayCounts counts;
   std::vector<Ray> rays(37, downward(0.5F, 0.1F));
   std::vector<Hit> hits(rays.size());
@@ -240,7 +240,7 @@ class TwoBackends : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(TwoBackends, AnswerTheSameOnRandomScenes) {
   const std::uint64_t seed = GetParam();
   const float size = 0.1F + 0.1F * static_cast<float>(seed);
-  const World embree(test::random_triangles(300 * seed, 1.0F, size, seed), 1);
+  const World embree(made::random_triangles(300 * seed, 1.0F, size, seed), 1);
   const World other(embree.scene(), 1, test::make_brute_force_backend);
   std::vector<Ray> rays = random_rays(1000, 1.2F, seed);
   for (std::size_t i = 0; i < rays.size(); i += 2) rays[i].t_min = 0.1F, rays[i].t_max = 0.9F;

@@ -4,8 +4,8 @@
 
 #include "common/ray/embree/embree_backend.h"
 #include "common/ray/world.h"
+#include "common/scene/made_scenes.h"
 #include "tests/common/ray/brute_force.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
@@ -18,9 +18,9 @@ class SharedGeometry : public testing::Test {
       ++trees;
       return make_embree_backend(vertices, triangles, threads);
     };
-    test::BoxOptions options;
+    made::BoxOptions options;
     options.lights = {PointLight{{0.5F, 0.5F, 0.5F}, Rgb(1.0F)}};
-    world.emplace(test::box_scene(options), 1, counted);
+    world.emplace(made::box_scene(options), 1, counted);
   }
 
   int trees = 0;
@@ -98,7 +98,7 @@ TEST_F(SharedGeometry, WhatIsNotShapeIsEachWorldsOwn) {
 
 /// A world's backend goes on to the worlds after it.
 TEST(WorldBackend, AnEditedWorldKeepsItsBackend) {
-  const World world(test::box_scene(), 1, test::make_brute_force_backend);
+  const World world(made::box_scene(), 1, test::make_brute_force_backend);
   Scene scene = world.scene();
   for (Vec3& vertex : scene.vertices) vertex *= 2.0F;
   const World after(scene, world);

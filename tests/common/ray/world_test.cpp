@@ -7,8 +7,8 @@
 
 #include "common/core/parallel.h"
 #include "common/core/random.h"
+#include "common/scene/made_scenes.h"
 #include "common/scene/tessellate.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
@@ -65,7 +65,7 @@ Faults count_faults(const World& world) {
 
 /// A room whose eight corners are moved about: no wall is axis-parallel, and quads become two tilted triangles.
 Scene irregular_room(bool convex) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.room("room", white, Vec3(-1.0F), Vec3(1.0F));
   Scene scene = builder.build("irregular");
@@ -87,7 +87,7 @@ class ClosedRoom : public testing::TestWithParam<Placement> {
  protected:
   static World placed(const Scene& scene) {
     const Placement p = GetParam();
-    return World(test::transformed(scene, p.scale, {1.0F, 2.0F, 0.5F}, p.degrees, p.scale * p.translation), 1);
+    return World(made::transformed(scene, p.scale, {1.0F, 2.0F, 0.5F}, p.degrees, p.scale * p.translation), 1);
   }
 };
 
@@ -112,11 +112,11 @@ INSTANTIATE_TEST_SUITE_P(Scales, ClosedRoom,
 
 /// A wall one millimetre thick between two rooms of ten metres: light of one must not reach the other.
 TEST(World, AMillimetreWallIsTight) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.room("left", white, {-5.0F, 0.0F, -5.0F}, {-0.0005F, 3.0F, 5.0F})
       .room("right", white, {0.0005F, 0.0F, -5.0F}, {5.0F, 3.0F, 5.0F});
-  const World world(test::transformed(builder.build("thin wall"), 1.0F, {0.0F, 1.0F, 0.0F}, 20.0F), 1);
+  const World world(made::transformed(builder.build("thin wall"), 1.0F, {0.0F, 1.0F, 0.0F}, 20.0F), 1);
   std::size_t crossings = 0;
   for (std::size_t i = 0; i < ray_count; ++i) {
     const auto [sample, ray] = surface_ray(world, i);
@@ -132,10 +132,10 @@ TEST(World, AMillimetreWallIsTight) {
 class MillimetreSlit : public testing::TestWithParam<float> {};
 
 TEST_P(MillimetreSlit, HoldsItsRays) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("slit", builder.diffuse("white", Rgb(0.5F)), {-0.5F, -0.0005F, -0.5F}, {0.5F, 0.0005F, 0.5F});
   const Vec3 away(0.5F * GetParam(), GetParam(), -GetParam());
-  const World world(test::transformed(builder.build("slit"), 1.0F, {1.0F, 2.0F, 0.5F}, 33.0F, away), 1);
+  const World world(made::transformed(builder.build("slit"), 1.0F, {1.0F, 2.0F, 0.5F}, 33.0F, away), 1);
   std::size_t leaks = 0, own = 0;
   for (std::size_t i = 0; i < ray_count; ++i) {
     const auto [sample, ray] = surface_ray(world, i);
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Distances, MillimetreSlit, testing::Values(0.0F, 50.0F,
 /// Many coplanar triangles: a ray along the surface must pass over all its neighbours.
 TEST(World, CoplanarNeighboursAreNotHit) {
   constexpr int cells = 40;
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 4>> faces;
@@ -169,7 +169,7 @@ TEST(World, CoplanarNeighboursAreNotHit) {
   builder.object("floor", white, vertices, faces);
   const Scene flat = builder.build("floor");
   for (const float degrees : {0.0F, 31.0F}) {
-    const World world(test::transformed(flat, 1.0F, {1.0F, 0.3F, 0.2F}, degrees), 1);
+    const World world(made::transformed(flat, 1.0F, {1.0F, 0.3F, 0.2F}, degrees), 1);
     std::size_t hits = 0;
     for (std::size_t i = 0; i < ray_count; ++i) hits += world.rays().occluded(surface_ray(world, i).ray) ? 1U : 0U;
     EXPECT_EQ(hits, 0U) << "tilted by " << degrees << " degrees";
@@ -177,7 +177,7 @@ TEST(World, CoplanarNeighboursAreNotHit) {
 }
 
 TEST(World, SegmentsBetweenPointsInSightAreFree) {
-  const World world(test::transformed(irregular_room(false), 3.0F, {1.0F, 1.0F, 0.0F}, 40.0F), 1);
+  const World world(made::transformed(irregular_room(false), 3.0F, {1.0F, 1.0F, 0.0F}, 40.0F), 1);
   std::size_t tested = 0, blocked = 0;
   for (std::size_t i = 0; i + 1 < ray_count; i += 2) {
     const SurfaceSample a = surface_ray(world, i).sample, b = surface_ray(world, i + 1).sample;
@@ -195,7 +195,7 @@ TEST(World, SegmentsBetweenPointsInSightAreFree) {
 }
 
 TEST(World, ASegmentThroughAWallIsBlocked) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   const Scene& scene = world.scene();
   const auto object = [&](const std::string& name) {
     for (const Object& o : scene.objects)
@@ -214,10 +214,10 @@ TEST(World, ASegmentThroughAWallIsBlocked) {
 }
 
 TEST(World, KnowsAreasNormalsAndBounds) {
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.blocks = false;
   options.lamp_emission = Rgb(0.0F);
-  const World world(test::transformed(test::box_scene(options), 2.0F), 1);
+  const World world(made::transformed(made::box_scene(options), 2.0F), 1);
   EXPECT_DOUBLE_EQ(world.total_area(), 24.0);
   EXPECT_FLOAT_EQ(world.diagonal(), std::sqrt(12.0F));
   const Vec3 centre = 0.5F * (world.bounds_min() + world.bounds_max());
@@ -229,7 +229,7 @@ TEST(World, KnowsAreasNormalsAndBounds) {
 }
 
 TEST(World, BacksAreBlackUnlessTwoSided) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   const std::array<Vec3, 4> square{{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}};
   builder.quad("one", white, square).quad("both", white, square, true);
@@ -245,7 +245,7 @@ TEST(World, BacksAreBlackUnlessTwoSided) {
 }
 
 TEST(World, DegenerateTrianglesHaveNoAreaAndNoNormal) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.object("line", white, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2, 2}});
   const World world(builder.build("line"), 1);

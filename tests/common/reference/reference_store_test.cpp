@@ -10,8 +10,8 @@
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/reference/folder_replacement.h"
+#include "common/scene/made_scenes.h"
 #include "tests/common/reference/references.h"
-#include "tests/support/scene_builder.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {
@@ -45,7 +45,7 @@ std::string finding_error(const ReferenceStore& store, const Scene& scene, const
 TEST(ReferenceStore, GivesBackWhatWasSaved) {
   const ScratchFolder folder;
   const ReferenceStore store(folder / "references");
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   EXPECT_FALSE(store.find(scene, surface_question()));
   for (const ReferenceQuestion& question : {surface_question(), image_question()}) {
     const Reference reference = random_reference(question, 3);
@@ -60,7 +60,7 @@ TEST(ReferenceStore, GivesBackWhatWasSaved) {
 TEST(ReferenceStore, MetaIsForReaders) {
   const ScratchFolder folder;
   const ReferenceStore store(folder.path());
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   const Reference reference = random_reference(image_question(), 3);
   store.save(scene, reference);
   const auto meta = nlohmann::json::parse(read_file(store.folder_of(scene, image_question()) / "meta.json"));
@@ -77,7 +77,7 @@ TEST(ReferenceStore, MetaIsForReaders) {
 TEST(ReferenceStore, ReplacesWholeAndLeavesNothingOver) {
   const ScratchFolder folder;
   const ReferenceStore store(folder.path());
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   store.save(scene, random_reference(surface_question(), 3));
   const Reference second = random_reference(surface_question(), 99);
   store.save(scene, second);
@@ -88,7 +88,7 @@ TEST(ReferenceStore, ReplacesWholeAndLeavesNothingOver) {
 TEST(ReferenceStore, AKilledWriteLeavesTheOldOne) {
   const ScratchFolder folder;
   const ReferenceStore store(folder.path());
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   const Reference first = random_reference(surface_question(), 3);
   store.save(scene, first);
   // What a run killed in the middle of save() leaves: a hidden folder with some of the files, one of them cut.
@@ -104,7 +104,7 @@ TEST(ReferenceStore, AKilledWriteLeavesTheOldOne) {
 TEST(ReferenceStore, AKillBetweenTwoRenamesLosesNothing) {
   const ScratchFolder folder;
   const ReferenceStore store(folder.path());
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   const Reference first = random_reference(surface_question(), 3);
   store.save(scene, first);
   const std::filesystem::path target = store.folder_of(scene, surface_question());
@@ -119,7 +119,7 @@ TEST(ReferenceStore, AKillBetweenTwoRenamesLosesNothing) {
 TEST(ReferenceStore, DamageIsFoundAndNamed) {
   const ScratchFolder folder;
   const ReferenceStore store(folder.path());
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   store.save(scene, random_reference(surface_question(), 3));
   const std::filesystem::path target = store.folder_of(scene, surface_question());
   for (const char* name : {"surface_direct.replicas", "surface_indirect.replicas", "image_direct.replicas", "meta.json"}) {
@@ -150,7 +150,7 @@ TEST(ReferenceStore, DamageIsFoundAndNamed) {
 TEST(ReferenceStore, AFileOfAnotherReferenceIsFound) {
   const ScratchFolder folder;
   const ReferenceStore store(folder / "one"), other(folder / "other");
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   store.save(scene, random_reference(surface_question(), 3));
   other.save(scene, random_reference(surface_question(), 4));
   const std::filesystem::path target = store.folder_of(scene, surface_question());
@@ -166,7 +166,7 @@ TEST(ReferenceStore, AFileOfAnotherReferenceIsFound) {
 TEST(ReferenceStore, AValueThatIsNotFiniteIsFound) {
   const ScratchFolder folder;
   const ReferenceStore store(folder.path());
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   Reference reference = random_reference(surface_question(), 3);
   reference.surface.indirect.replicas[5][2].g = std::numeric_limits<float>::quiet_NaN();
   store.save(scene, reference);
@@ -177,7 +177,7 @@ TEST(ReferenceStore, AnUnwritableStoreIsNamed) {
   const ScratchFolder folder;
   std::ofstream(folder / "file") << "in the way";
   const ReferenceStore store(folder / "file" / "references");
-  EXPECT_THROW(store.save(test::box_scene(), random_reference(surface_question(), 3)), InputError);
+  EXPECT_THROW(store.save(made::box_scene(), random_reference(surface_question(), 3)), InputError);
   EXPECT_EQ(folder.entries(), 1U);
 }
 

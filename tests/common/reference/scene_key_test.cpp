@@ -5,15 +5,15 @@
 #include <set>
 
 #include "common/reference/scene_key.h"
+#include "common/scene/made_scenes.h"
 #include "tests/common/reference/references.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
 
 /// A scene with everything that a key sees.
 Scene full_scene() {
-  Scene scene = test::box_scene();
+  Scene scene = made::box_scene();
   auto image = std::make_shared<EnvironmentImage>();
   image->width = 2, image->height = 1, image->pixels = {Rgb(1.0F), Rgb(2.0F)};
   scene.lights = {PointLight{{0.1F, 0.2F, 0.3F}, Rgb(1.0F)}, SpotLight{{0.1F, 0.2F, 0.3F}, {0, -1, 0}, Rgb(1.0F), 0.9F, 0.8F},

@@ -8,8 +8,8 @@
 
 #include "common/core/sampling.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/scene/made_scenes.h"
 #include "methods/antiradiance/discretisation.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::antiradiance {
 namespace {
@@ -20,7 +20,7 @@ Settings settings(const char* elements) { return settings_from(Parameters(settin
 
 /// Ground on both sides of a wall of 4 × 3 m, which stands in the plane x = 0.
 Scene wall_on_ground() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("ground", white, {{{-1.0F, 0.0F, 1.0F}, {1.5F, 0.0F, 1.0F}, {1.5F, 0.0F, -1.0F}, {-1.0F, 0.0F, -1.0F}}});
   builder.quad("wall", white, {{{0.0F, 0.0F, 2.0F}, {0.0F, 0.0F, -2.0F}, {0.0F, 3.0F, -2.0F}, {0.0F, 3.0F, 2.0F}}}, true);
@@ -29,7 +29,7 @@ Scene wall_on_ground() {
 
 /// A yard under the sky: walls behind one another, a block, a canopy.
 Scene yard() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("ground", white, {{{-1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, -1.0F}, {-1.0F, 0.0F, -1.0F}}});
   builder.quad("wall", white, {{{-0.6F, 0.0F, 1.0F}, {-0.6F, 0.0F, -1.0F}, {-0.6F, 0.8F, -1.0F}, {-0.6F, 0.8F, 1.0F}}}, true);
@@ -109,7 +109,7 @@ TEST(Accessibility, ComesToTracedRaysWithSectors) {
 
 TEST(Accessibility, OfAClosedRoomIsThatOfTracedRays) {
   Task task;
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Discretisation parts(world, settings("1500"), task);
   Accessibility accessibility(parts.elements, parts.hierarchy, far_enough, 8);
   accessibility.compute(2, task);

@@ -14,7 +14,7 @@
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -61,7 +61,7 @@ double difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
 
 /// A closed room that glows, albedo ρ, with a block on its floor and one in the air.
 Scene furnace(float albedo) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t glow = builder.diffuse("glow", Rgb(albedo), Rgb(1.0F));
   builder.room("room", glow, Vec3(0.0F), Vec3(1.0F));
   builder.block("on the floor", glow, {0.2F, 0.0F, 0.2F}, {0.5F, 0.4F, 0.5F});
@@ -86,7 +86,7 @@ TEST(Antiradiance, FurnaceNeverGainsEnergy) {
 }
 
 TEST(Antiradiance, ComesToTracedVisibilityAsBinsAndLinksGrow) {
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   const Setting common{{"elements", "1500"}};
   const auto with = [&](Setting more) {
     more.insert(more.end(), common.begin(), common.end());
@@ -104,7 +104,7 @@ TEST(Antiradiance, ComesToTracedVisibilityAsBinsAndLinksGrow) {
 }
 
 TEST(Antiradiance, FirstTermHasNoShadowsAndTheSecondTakesTooMuch) {
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   std::vector<double> means;
   std::vector<SurfaceSample> samples;
   for (const char* iterations : {"1", "2", "0"}) {
@@ -120,18 +120,18 @@ TEST(Antiradiance, FirstTermHasNoShadowsAndTheSecondTakesTooMuch) {
 }
 
 TEST(Antiradiance, ConvexRoomKeepsNoDirectionsAndTracesNoVisibility) {
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.blocks = false;
   options.lamp_emission = Rgb();
   options.lights = {PointLight{{0.5F, 0.8F, 0.5F}, Rgb(1.0F)}};
-  Solved solved(test::box_scene(options), {{"elements", "1000"}});
+  Solved solved(made::box_scene(options), {{"elements", "1000"}});
   EXPECT_EQ(solved.prepared.counters["bins"], 0U);
   EXPECT_EQ(solved.prepared.counters["occlusion_rays"], 0U);
 }
 
 /// A bright wall, a receiver before it, and between them a plate much smaller than a bin.
 Scene small_blocker(float shift) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.8F)), black = builder.diffuse("black", Rgb(0.0F));
   builder.quad("receiver", white, {{{0.4F, 0.0F, 0.6F}, {0.6F, 0.0F, 0.6F}, {0.6F, 0.0F, 0.4F}, {0.4F, 0.0F, 0.4F}}});
   builder.quad("bright", white, {{{0.0F, 1.0F, 0.0F}, {1.0F, 1.0F, 0.0F}, {1.0F, 1.0F, 1.0F}, {0.0F, 1.0F, 1.0F}}});
@@ -162,7 +162,7 @@ TEST(ImplicitVisibility, LetsASpeckHideAWall) {
 }
 
 TEST(ImplicitVisibility, ComesToTracedVisibilityAsBinsGrow) {
-  const Scene scene = test::box_scene();
+  const Scene scene = made::box_scene();
   Solved traced(scene, {{"mode", "radiosity"}, {"elements", "800"}, {"visibility_rays", "16"}});
   const auto samples = traced.samples();
   const auto expected = traced.irradiance(samples);
@@ -180,7 +180,7 @@ TEST(ImplicitVisibility, ComesToTracedVisibilityAsBinsGrow) {
 
 /// Two rooms that glow, joined by a slit in the wall between them.
 Scene joined_furnaces() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t glow = builder.diffuse("glow", Rgb(0.8F), Rgb(1.0F));
   builder.room("rooms", glow, Vec3(0.0F), {2.1F, 1.0F, 1.0F});
   builder.block("wall on the left", glow, {1.0F, 0.0F, 0.0F}, {1.1F, 1.0F, 0.42F});
@@ -192,7 +192,7 @@ Scene joined_furnaces() {
 TEST(Antiradiance, FurnaceNeverGainsEnergyAtAnyIterationAndBins) {
   constexpr double albedo = 0.8;
   const double exact = pi_double * albedo / (1.0 - albedo);
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("glow", Rgb(0.8F), Rgb(1.0F)), Vec3(0.0F), Vec3(1.0F));
   const Scene cube = builder.build("furnace of a cube"), irregular = furnace(0.8F), joined = joined_furnaces();
   for (const Scene* scene : {&cube, &irregular, &joined})
@@ -213,7 +213,7 @@ TEST(Antiradiance, FurnaceNeverGainsEnergyAtAnyIterationAndBins) {
 }
 
 TEST(Antiradiance, SceneOfManySheetsEndsInSuccessOrAClearReport) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.95F));
   for (int i = 0; i < 24; ++i) {
     const float y = 0.01F * static_cast<float>(i), t = 0.002F * static_cast<float>(i % 5);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "methods/antiradiance/hierarchy.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::antiradiance {
 namespace {
@@ -28,20 +28,20 @@ struct Made {
 };
 
 Scene closed_block() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.block("block", builder.diffuse("white", Rgb(0.5F)), Vec3(0.0F), {1.0F, 2.0F, 3.0F});
   return builder.build("block");
 }
 
 TEST(Elements, AreasSumToTheScenes) {
   for (const double edge : {10.0, 0.3, 0.1}) {
-    const Made made(test::box_scene(), edge);
+    const Made made(made::box_scene(), edge);
     EXPECT_NEAR(made.elements.area(), made.world.total_area(), 1e-5 * made.world.total_area());
   }
 }
 
 TEST(Elements, HaveAQuarterOfAQuadAndAThirdOfATriangle) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("quad", white, {{{0.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}, {2.0F, 0.0F, -2.0F}, {0.0F, 0.0F, -2.0F}}});
   builder.object("triangle", white, {{5.0F, 0.0F, 0.0F}, {8.0F, 0.0F, 0.0F}, {5.0F, 0.0F, -2.0F}}, {{0, 1, 2, 2}});
@@ -60,7 +60,7 @@ TEST(Elements, SplitVerticesAtCreases) {
 }
 
 TEST(Elements, InsideGeometryTakeNoPart) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.room("room", white, Vec3(0.0F), Vec3(4.0F));
   builder.block("block", white, {1.0F, 0.0F, 1.0F}, {3.0F, 1.0F, 3.0F});
@@ -74,7 +74,7 @@ TEST(Elements, InsideGeometryTakeNoPart) {
 }
 
 TEST(Hierarchy, BoundsItsElements) {
-  const Made made(test::box_scene(), 0.08);
+  const Made made(made::box_scene(), 0.08);
   for (const Node& node : made.hierarchy.nodes()) {
     double area = 0.0;
     for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf) {
@@ -93,7 +93,7 @@ TEST(Hierarchy, BoundsItsElements) {
 }
 
 TEST(Hierarchy, IsTheSameForAnyNumberOfThreads) {
-  const Made one(test::box_scene(), 0.08, 1), two(test::box_scene(), 0.08, 2);
+  const Made one(made::box_scene(), 0.08, 1), two(made::box_scene(), 0.08, 2);
   ASSERT_EQ(one.hierarchy.size(), two.hierarchy.size());
   EXPECT_TRUE(std::equal(one.hierarchy.order().begin(), one.hierarchy.order().end(), two.hierarchy.order().begin()));
   for (std::size_t i = 0; i < one.hierarchy.size(); ++i)
@@ -101,7 +101,7 @@ TEST(Hierarchy, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Elements, LiveWithBadGeometry) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   // Zero area, duplicate vertices, two faces of opposite orientation, one that lies in another.
   builder.object("bad", white,

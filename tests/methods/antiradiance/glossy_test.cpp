@@ -12,9 +12,9 @@
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "methods/antiradiance/antiradiance.h"
 #include "methods/antiradiance/bin_transport.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::antiradiance {
 namespace {
@@ -32,7 +32,7 @@ Material phong(float exponent) {
 /// A floor that reflects with a Phong lobe alone, and a diffuse wall at its edge under light that grazes the floor: the wall's
 /// radiosity is that of one reflection, even all over.
 Scene wall_over_glossy_floor(float exponent) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t satin = builder.material(phong(exponent)), white = builder.diffuse("white", Rgb(0.8F));
   builder.quad("floor", satin, {{{-1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}}});
   builder.quad("wall", white, {{{-1.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 0.0F}, {-1.0F, 1.0F, 0.0F}}});
@@ -88,7 +88,7 @@ TEST(Glossy, FloorShowsAWallAsItsLobeDoes) {
 }
 
 TEST(Glossy, LobeOverBinsGivesBackItsAlbedo) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t satin = builder.material(phong(10.0F));
   builder.quad("floor", satin, {{{0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}}});
   const DirectionBins bins(16);

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "methods/antiradiance/accessibility.h"
 #include "methods/antiradiance/discretisation.h"
 #include "methods/antiradiance/interreflection.h"
 #include "methods/antiradiance/patch_transport.h"
 #include "methods/antiradiance/refinement.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::antiradiance {
 namespace {
@@ -19,13 +19,13 @@ Settings settings(std::vector<std::pair<std::string, std::string>> values) {
 }
 
 Scene empty_room() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("white", Rgb(0.5F)), Vec3(0.0F), Vec3(1.0F));
   return builder.build("room");
 }
 
 Scene wall_and_ground() {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("ground", white, {{{-1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}}});
   builder.quad("wall", white, {{{-20.0F, 0.0F, 0.0F}, {20.0F, 0.0F, 0.0F}, {20.0F, 20.0F, 0.0F}, {-20.0F, 20.0F, 0.0F}}});
@@ -59,7 +59,7 @@ TEST(Links, TenMillionFitInFourHundredMegabytes) {
 }
 
 TEST(Links, DoNotDependOnThreads) {
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Settings rule = settings({{"elements", "1000"}});
   std::vector<LinkTable> tables;
   for (const int threads : {1, 2}) {
@@ -75,7 +75,7 @@ TEST(Links, DoNotDependOnThreads) {
 
 TEST(Links, BeyondTheBudgetGetCoarserOrAreRefused) {
   Task task;
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Settings wide = settings({{"elements", "2000"}}), narrow = settings({{"elements", "2000"}, {"memory_budget", "8"}}),
                  none = settings({{"elements", "2000"}, {"memory_budget", "1"}});
   const Discretisation parts(world, wide, task);
@@ -92,7 +92,7 @@ TEST(Links, BeyondTheBudgetGetCoarserOrAreRefused) {
 
 TEST(Links, RadiosityOracleSpendsLinksWhereLightIs) {
   Task task;
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Settings rule = settings({{"elements", "1000"}});
   const Discretisation parts(world, rule, task);
   std::vector<float> radiosity(parts.hierarchy.size(), 0.01F);
@@ -128,7 +128,7 @@ TEST(Accessibility, IsAHalfAtTheFootOfATallWall) {
 
 TEST(Accessibility, HierarchyIsWithinTwoPerCentOfNaive) {
   Task task;
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Discretisation parts(world, settings({{"elements", "1500"}}), task);
   Accessibility fast(parts.elements, parts.hierarchy, 0.02F), naive(parts.elements, parts.hierarchy, 0.0F);
   fast.compute(2, task);
@@ -139,7 +139,7 @@ TEST(Accessibility, HierarchyIsWithinTwoPerCentOfNaive) {
 
 TEST(Accessibility, BlockersGrowAsNLogN) {
   Task task;
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   std::vector<double> cost, size;
   for (const char* count : {"500", "8000"}) {
     const Discretisation parts(world, settings({{"elements", count}}), task);

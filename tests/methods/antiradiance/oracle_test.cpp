@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "methods/antiradiance/discretisation.h"
 #include "methods/antiradiance/refinement.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::antiradiance {
 namespace {
@@ -27,7 +27,7 @@ float factor_of(const Node& p, const Node& q) {
 
 TEST(Oracle, GivesLinksTheFormFactorOfTheirDiscs) {
   Task task;
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const Discretisation parts = discretised(world, "700", task);
   const auto nodes = parts.hierarchy.nodes();
   for (const Facing facing : {Facing::fronts, Facing::both}) {
@@ -49,7 +49,7 @@ TEST(Oracle, GivesLinksTheFormFactorOfTheirDiscs) {
 
 TEST(Oracle, LinksEveryPairOfElementsOnceOrNotAtAll) {
   Task task;
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("white", Rgb(0.5F)), Vec3(0.0F), Vec3(1.0F));
   const World world(builder.build("room"));
   const Discretisation parts = discretised(world, "500", task);

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "tests/methods/meshless/basis_scene.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::meshless {
 namespace {
@@ -22,7 +22,7 @@ Settings settings_with(int levels) {
 }
 
 Scene closed_box() {
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("white", Rgb(0.5F)), {0, 0, 0}, {1, 1, 1});
   return builder.build("box");
 }
@@ -94,7 +94,7 @@ TEST(Expansion, TheFineCoefficientsOfASmoothFunctionFade) {
 }
 
 TEST(Expansion, IsTheSumThatTheCoefficientsGive) {
-  const test::BasisScene scene(gibench::test::box_scene(), settings_with(3));
+  const test::BasisScene scene(made::box_scene(), settings_with(3));
   Coefficients some(scene.hierarchy);  // every third function only, so that parts of the levels are left out
   for (std::uint32_t p = 0; p < scene.hierarchy.size(); p += p < scene.hierarchy.level_begin(1) ? 1U : 3U)
     some.set(p, smooth(scene.hierarchy.place(p)));
@@ -143,9 +143,9 @@ TEST(Expansion, TheSenderLevelFollowsTheSolidAngleOfTheBalls) {
 }
 
 TEST(Expansion, WhereNothingCoversALevelContributesNothing) {
-  gibench::test::BoxOptions empty;
+  made::BoxOptions empty;
   empty.blocks = false;  // so that only the front wall, a metre away, faces as the back of the back wall does
-  const test::BasisScene scene(gibench::test::box_scene(empty), settings_with(2));
+  const test::BasisScene scene(made::box_scene(empty), settings_with(2));
   const Expansion expansion(scene.approximate_fully(1, smooth));
   std::uint64_t levels = 0;
   const Place on_floor = scene.places(1)[0];
@@ -161,7 +161,7 @@ TEST(Expansion, WhereNothingCoversALevelContributesNothing) {
 }
 
 TEST(Expansion, ReachesNoOtherGroup) {
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("left", white, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("right", white, {{{1.001F, 0, 0}, {1.001F, 0, 1}, {2, 0, 1}, {2, 0, 0}}});
@@ -174,7 +174,7 @@ TEST(Expansion, ReachesNoOtherGroup) {
 }
 
 TEST(Expansion, NothingLeaksRoundARightAngleInATurnedScene) {
-  const Scene turned = gibench::test::transformed(closed_box(), 1.0F, {1.0F, 2.0F, 3.0F}, 37.0F);
+  const Scene turned = made::transformed(closed_box(), 1.0F, {1.0F, 2.0F, 3.0F}, 37.0F);
   const test::BasisScene scene(turned, settings_with(1));
   const Vec3 up = scene.hierarchy.normal(0);
   Coefficients one_wall(scene.hierarchy);

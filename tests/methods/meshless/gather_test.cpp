@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "tests/methods/meshless/basis_scene.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::meshless {
 namespace {
@@ -38,7 +38,7 @@ SurfaceSample sample_on(const World& world, std::uint32_t triangle, Vec2 barycen
 }
 
 TEST(Gather, IsExactInAUniformEnclosure) {
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("grey", Rgb(0.3F, 0.6F, 0.9F)), {0, 0, 0}, {2, 1, 3});
   const World world(builder.build("room"), 1);
   const ConstantSender sender(Rgb(2.0F));
@@ -61,7 +61,7 @@ double corner_form_factor(double a, double b, double h) {
 }
 
 TEST(Gather, GivesTheFormFactorOfARectangleAndADeviationThatCoversTheError) {
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t grey = builder.diffuse("grey", Rgb(0.5F));
   builder.quad("floor", grey, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("ceiling", grey, {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}});
@@ -90,7 +90,7 @@ TEST(Gather, GivesTheFormFactorOfARectangleAndADeviationThatCoversTheError) {
 }
 
 TEST(Gather, BacksAndMissesAreBlack) {
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t grey = builder.diffuse("grey", Rgb(0.5F));
   builder.quad("floor", grey, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("lid", grey, {{{-9, 0.1F, -9}, {-9, 0.1F, 9}, {9, 0.1F, 9}, {9, 0.1F, -9}}});  // its front is on top
@@ -103,8 +103,8 @@ TEST(Gather, BacksAndMissesAreBlack) {
 }
 
 TEST(Gather, TurnsWithTheScene) {
-  const Scene box = gibench::test::box_scene();
-  const World world(box, 1), turned(gibench::test::transformed(box, 1.0F, {1, 2, 3}, 40.0F), 1);
+  const Scene box = made::box_scene();
+  const World world(box, 1), turned(made::transformed(box, 1.0F, {1, 2, 3}, 40.0F), 1);
   class ByHeight : public Sender {
    public:
     void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t, RayStream&, std::span<Rgb> values,
@@ -120,7 +120,7 @@ TEST(Gather, TurnsWithTheScene) {
 }
 
 TEST(Gather, BasisSenderSeesTheExpansionAndTheAlbedoOfTheHit) {
-  const test::BasisScene scene(gibench::test::box_scene());
+  const test::BasisScene scene(made::box_scene());
   const Coefficients made = scene.approximate_fully(1, [](const Place&) { return Rgb(1.0F); });
   const BasisSender sender(made, scene.groups, 0.1);
   const SurfaceSample receiver = sample_on(scene.world, 0);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "tests/methods/meshless/basis_scene.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::meshless {
 namespace {
@@ -32,7 +32,7 @@ float brute_force_radius(const Hierarchy& hierarchy, std::uint32_t point, int ne
 }
 
 TEST(Hierarchy, RadiusIsTheDistanceToTheKthNeighbourThatAWeightCouldReach) {
-  const test::BasisScene scene(gibench::test::box_scene(), small_settings());
+  const test::BasisScene scene(made::box_scene(), small_settings());
   const Hierarchy& hierarchy = scene.hierarchy;
   Task task;
   double disc = place_points(scene.world, scene.groups, scene.settings, task).radius;
@@ -50,7 +50,7 @@ TEST(Hierarchy, RadiusIsTheDistanceToTheKthNeighbourThatAWeightCouldReach) {
 }
 
 TEST(Hierarchy, KeepsEveryPlacedPointOnce) {
-  const test::BasisScene scene(gibench::test::box_scene(), small_settings());
+  const test::BasisScene scene(made::box_scene(), small_settings());
   Task task;
   const Placement placement = place_points(scene.world, scene.groups, scene.settings, task);
   std::size_t placed = 0;
@@ -68,7 +68,7 @@ TEST(Hierarchy, KeepsEveryPlacedPointOnce) {
 }
 
 TEST(Hierarchy, FindsExactlyTheCoveringFunctions) {
-  const test::BasisScene scene(gibench::test::box_scene(), small_settings());
+  const test::BasisScene scene(made::box_scene(), small_settings());
   const Hierarchy& hierarchy = scene.hierarchy;
   for (const Place& at : scene.places(200))
     for (std::uint32_t level = 0; level < hierarchy.levels(); ++level) {
@@ -89,7 +89,7 @@ TEST(Hierarchy, FindsExactlyTheCoveringFunctions) {
 }
 
 TEST(Hierarchy, CoversEverySurfacePointOnTheCoarsestLevel) {
-  const test::BasisScene scene(gibench::test::box_scene(), small_settings(1));
+  const test::BasisScene scene(made::box_scene(), small_settings(1));
   std::vector<SurfaceSample> samples = area_uniform_samples(scene.world, 2000, 4);
   std::vector<DiscPoint> points;
   for (const SurfaceSample& sample : samples) points.push_back({sample.position, sample.normal, {sample.triangle, true}});
@@ -110,7 +110,7 @@ TEST(Hierarchy, CoversEverySurfacePointOnTheCoarsestLevel) {
 }
 
 TEST(Placement, PutsNoPointInsideClosedGeometryAndAllUnderACanopy) {
-  const test::BasisScene box(gibench::test::box_scene(), small_settings());
+  const test::BasisScene box(made::box_scene(), small_settings());
   for (std::uint32_t point = 0; point < box.hierarchy.size(); ++point) {
     const Vec3& at = box.hierarchy.position(point);
     if (at.y < 1e-4F && box.hierarchy.normal(point).y > 0.5F) {
@@ -118,7 +118,7 @@ TEST(Placement, PutsNoPointInsideClosedGeometryAndAllUnderACanopy) {
       EXPECT_GT(std::max(std::fabs(at.x - 0.3F), std::fabs(at.z - 0.3F)), 0.12F);
     }
   }
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("floor", white, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("canopy", white, {{{0.2F, 0.5F, 0.2F}, {0.2F, 0.5F, 0.8F}, {0.8F, 0.5F, 0.8F}, {0.8F, 0.5F, 0.2F}}});
@@ -137,7 +137,7 @@ TEST(Placement, PutsNoPointInsideClosedGeometryAndAllUnderACanopy) {
 }
 
 TEST(Groups, FollowTheSceneAndItsConnectedComponents) {
-  Scene scene = gibench::test::box_scene();
+  Scene scene = made::box_scene();
   const World plain(scene, 1);
   EXPECT_EQ(make_groups(plain, Grouping::objects).count, 1U);
   EXPECT_EQ(make_groups(plain, Grouping::components).count, 4U);  // room, two blocks, lamp
@@ -145,7 +145,7 @@ TEST(Groups, FollowTheSceneAndItsConnectedComponents) {
   scene.objects[0].group = "floor";
   const World grouped(scene, 1);
   EXPECT_EQ(make_groups(grouped, Grouping::objects).count, 2U);
-  const World many(gibench::test::random_triangles(100, 1.0F, 0.1F, 3), 1);
+  const World many(made::random_triangles(100, 1.0F, 0.1F, 3), 1);
   EXPECT_EQ(make_groups(many, Grouping::components).count, 100U);
   EXPECT_EQ(make_groups(many, Grouping::automatic).count, 1U);
 }

@@ -12,8 +12,8 @@
 
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "common/scene/tessellate.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
@@ -69,7 +69,7 @@ const Setting rough{{"levels", "4"}, {"rays", "128"}};
 
 /// A closed room that glows with radiance 1 everywhere: every bounce is πρ times the one before, everywhere.
 Scene furnace(const Rgb& albedo) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("glowing", albedo, Rgb(1.0F)), {0, 0, 0}, {1, 1, 1});
   return builder.build("furnace");
 }
@@ -123,7 +123,7 @@ TEST(Meshless, ASceneThatAbsorbsNothingIsNotConverged) {
 
 /// A unit cube whose ceiling-less top face glows: converged radiosity solutions to 1e-6 (two discretisations agree).
 Scene glowing_floor_cube(float albedo) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t wall = builder.diffuse("wall", Rgb(albedo)), lamp = builder.diffuse("lamp", Rgb(albedo), Rgb(1.0F));
   builder.quad("lamp", lamp, {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}});
   builder.quad("floor", wall, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
@@ -149,7 +149,7 @@ TEST(Meshless, MeanIrradianceOfACubeObeysTheEnergyIdentity) {
 TEST(Meshless, OneBounceBetweenParallelPlatesHasAClosedForm) {
   // Sunlight falls on the floor at 45° through the open side; the ceiling gets E ρ F once, F the form factor of the
   // opposed unit square seen from the centre of the ceiling, and nothing else.
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t grey = builder.diffuse("grey", Rgb(0.4F));
   builder.quad("floor", grey, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   builder.quad("ceiling", grey, {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}});
@@ -162,8 +162,8 @@ TEST(Meshless, OneBounceBetweenParallelPlatesHasAClosedForm) {
 }
 
 TEST(Meshless, BothFirstBouncesAgree) {
-  Solved exact(test::box_scene(), 2, {{"levels", "5"}}),
-      basis(test::box_scene(), 2, {{"levels", "5"}, {"first_bounce", "basis"}});
+  Solved exact(made::box_scene(), 2, {{"levels", "5"}}),
+      basis(made::box_scene(), 2, {{"levels", "5"}, {"first_bounce", "basis"}});
   const std::vector<SurfaceSample> samples = area_uniform_samples(exact.world(), 2000, 12);
   const std::vector<Rgb> a = exact.irradiance(samples), b = basis.irradiance(samples);
   double squares = 0.0, mean = 0.0, bias = 0.0;
@@ -176,7 +176,7 @@ TEST(Meshless, BothFirstBouncesAgree) {
 }
 
 TEST(Meshless, DirectLightInTheBasisIsNearTheEvaluator) {
-  Solved basis(test::box_scene(), 1, {{"direct", "basis"}}), shared(test::box_scene(), 1);
+  Solved basis(made::box_scene(), 1, {{"direct", "basis"}}), shared(made::box_scene(), 1);
   EXPECT_TRUE(basis.method().capabilities().direct);
   EXPECT_FALSE(shared.method().capabilities().direct);
   const std::vector<SurfaceSample> samples = area_uniform_samples(basis.world(), 1000, 2);
@@ -190,7 +190,7 @@ TEST(Meshless, DirectLightInTheBasisIsNearTheEvaluator) {
 }
 
 TEST(Meshless, ADarkRoomBehindAThinWallStaysDark) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.7F)), lamp = builder.diffuse("lamp", Rgb(0.0F), Rgb(10.0F));
   builder.room("lit", white, {0, 0, 0}, {1, 1, 1}).room("dark", white, {1.001F, 0, 0}, {2, 1, 1});
   builder.quad("lamp", lamp, {{{0.4F, 0.99F, 0.4F}, {0.6F, 0.99F, 0.4F}, {0.6F, 0.99F, 0.6F}, {0.4F, 0.99F, 0.6F}}});
@@ -207,7 +207,7 @@ TEST(Meshless, ADarkRoomBehindAThinWallStaysDark) {
 }
 
 TEST(Meshless, AnswersTwoSidedFacesOnBothSidesAndBacksWithBlack) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.room("room", white, {0, 0, 0}, {1, 1, 1});
   builder.quad("shelf", white, {{{0.3F, 0.5F, 0.3F}, {0.3F, 0.5F, 0.7F}, {0.7F, 0.5F, 0.7F}, {0.7F, 0.5F, 0.3F}}}, true);
@@ -223,7 +223,7 @@ TEST(Meshless, AnswersTwoSidedFacesOnBothSidesAndBacksWithBlack) {
 }
 
 TEST(Meshless, RadianceIsTheReflectedShareOfTheIrradiance) {
-  Solved solved(test::box_scene(), 2, rough);
+  Solved solved(made::box_scene(), 2, rough);
   const std::vector<SurfaceSample> samples = area_uniform_samples(solved.world(), 100, 6);
   std::vector<Vec3> toward;
   for (const SurfaceSample& sample : samples) toward.push_back(sample.normal);
@@ -240,27 +240,27 @@ TEST(Meshless, RadianceIsTheReflectedShareOfTheIrradiance) {
 }
 
 TEST(Meshless, TheSameSeedGivesTheSameBitsOnOneAndTwoThreads) {
-  Solved one(test::box_scene(), 2, rough, 1), two(test::box_scene(), 2, rough, 2);
+  Solved one(made::box_scene(), 2, rough, 1), two(made::box_scene(), 2, rough, 2);
   const std::vector<SurfaceSample> samples = area_uniform_samples(one.world(), 500, 1);
   EXPECT_EQ(one.irradiance(samples), two.irradiance(samples));
   EXPECT_EQ(one.lit.counters.values(), two.lit.counters.values());
 }
 
 TEST(Meshless, ComputesNothingThatIsNotCalledFor) {
-  Solved none(test::box_scene(), 0);
+  Solved none(made::box_scene(), 0);
   EXPECT_EQ(none.prepared.counters["samples"], 0U);
   EXPECT_EQ(none.lit.counters["samples_gathered"], 0U);
   EXPECT_EQ(none.lit.counters["closest_hit_rays"], 0U);
   EXPECT_EQ(none.at({0.5F, 0, 0.9F}, {0, 1, 0}), Rgb());
-  test::BoxOptions dark;
+  made::BoxOptions dark;
   dark.lamp_emission = Rgb();
-  Solved unlit{test::box_scene(dark)};
+  Solved unlit{made::box_scene(dark)};
   EXPECT_EQ(unlit.lit.counters["samples_gathered"], 0U);
   EXPECT_EQ(unlit.at({0.5F, 0, 0.9F}, {0, 1, 0}), Rgb());
 }
 
 TEST(Meshless, ReportsItsWork) {
-  Solved solved(test::box_scene());
+  Solved solved(made::box_scene());
   EXPECT_EQ(solved.prepared.counters["levels"], 6U);
   EXPECT_NEAR(static_cast<double>(solved.prepared.counters["coarsest_samples"]), 310.0, 20.0);
   const std::uint64_t gathered = solved.lit.counters["samples_gathered"];
@@ -281,21 +281,21 @@ TEST(Meshless, RefusesScenesWithoutArea) {
   const MethodEntry entry = meshless_entry();
   const auto method = make_session(entry, Parameters(entry.schema, {}));
   EXPECT_TRUE(method->refusal(Scene{}).has_value());
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.object("needle", white, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2, 2}});
   EXPECT_TRUE(method->refusal(builder.build("needle")).has_value());
-  EXPECT_FALSE(method->refusal(test::box_scene()).has_value());
+  EXPECT_FALSE(method->refusal(made::box_scene()).has_value());
 }
 
 TEST(Meshless, LivesWithDegenerateFacesFlippedNormalsAndASingleTriangle) {
-  Scene flipped = test::box_scene();
+  Scene flipped = made::box_scene();
   for (std::size_t face = 0; face < flipped.faces.size(); face += 2)
     std::swap(flipped.faces[face].corners[0], flipped.faces[face].corners[2]);
   tessellate(flipped);
-  test::SceneBuilder single;
+  made::SceneBuilder single;
   single.object("triangle", single.diffuse("white", Rgb(0.5F), Rgb(1.0F)), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 2}});
-  test::SceneBuilder needles;
+  made::SceneBuilder needles;
   const std::uint32_t white = needles.diffuse("white", Rgb(0.5F), Rgb(1.0F));
   needles.room("room", white, {0, 0, 0}, {1, 1, 1});
   needles.object("needle", white, {{0.2F, 0.2F, 0.2F}, {0.8F, 0.8F, 0.8F}, {0.5F, 0.5F, 0.5F}, {0.2F, 0.2F, 0.2F}},
@@ -311,7 +311,7 @@ TEST(Meshless, LivesWithDegenerateFacesFlippedNormalsAndASingleTriangle) {
 }
 
 TEST(Meshless, StopsWhenCancelled) {
-  const World world(test::box_scene());
+  const World world(made::box_scene());
   const MethodEntry entry = meshless_entry();
   const auto method = make_session(entry, Parameters(entry.schema, rough));
   TaskSettings settings;

@@ -4,11 +4,11 @@
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "methods/meshless/coefficients.h"
 #include "methods/meshless/expansion.h"
 #include "methods/meshless/meshless.h"
 #include "tests/methods/meshless/basis_scene.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
@@ -38,7 +38,7 @@ Outcome run(const Scene& scene, const PlanLimits& limits = {}) {
 }
 
 Scene room(const Rgb& albedo, const Rgb& emission) {
-  test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.room("room", builder.diffuse("wall", albedo, emission), {0, 0, 0}, {1, 1, 1});
   return builder.build("room");
 }
@@ -66,7 +66,7 @@ TEST(MeshlessPlan, AGreySceneKeepsOneChannelAndTracesTheSameRays) {
 }
 
 TEST(MeshlessPlan, OneChannelIsAThirdOfTheCoefficients) {
-  const meshless::test::BasisScene scene(test::box_scene());
+  const meshless::test::BasisScene scene(made::box_scene());
   meshless::Coefficients one(scene.hierarchy, 1), three(scene.hierarchy);
   const std::size_t empty = one.bytes();
   for (std::uint32_t point = 0; point < scene.hierarchy.size(); ++point) one.set(point, Rgb(0.5F)), three.set(point, Rgb(0.5F));
@@ -78,11 +78,11 @@ TEST(MeshlessPlan, OneChannelIsAThirdOfTheCoefficients) {
 }
 
 TEST(MeshlessPlan, ABlackRoomAndADarkOneTakeNoWork) {
-  test::BoxOptions black, dark;
+  made::BoxOptions black, dark;
   black.floor_albedo = black.left_albedo = black.right_albedo = Rgb();
   dark.lamp_emission = Rgb();
-  EXPECT_EQ(run(test::box_scene(black)).counters["samples"], 0U);
-  const Outcome unlit = run(test::box_scene(dark));
+  EXPECT_EQ(run(made::box_scene(black)).counters["samples"], 0U);
+  const Outcome unlit = run(made::box_scene(dark));
   EXPECT_EQ(unlit.counters["samples"] + unlit.counters["closest_hit_rays"] + unlit.counters["occlusion_rays"], 0U);
   EXPECT_EQ(unlit.bytes, 0U);
 }

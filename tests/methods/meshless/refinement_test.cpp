@@ -5,15 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "methods/meshless/expansion.h"
 #include "tests/methods/meshless/basis_scene.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::meshless {
 namespace {
 
 test::BasisScene floor_scene(int levels) {
-  gibench::test::SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.quad("floor", builder.diffuse("white", Rgb(0.5F)), {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
   Settings settings = test::default_settings();
   settings.levels = levels;

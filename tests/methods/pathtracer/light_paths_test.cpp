@@ -9,13 +9,13 @@
 #include "common/effects/scene_effects.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "methods/pathtracer/pathtracer.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
 
-using test::SceneBuilder;
+using made::SceneBuilder;
 
 struct Restricted {
   std::vector<Rgb> total, variance;
@@ -107,7 +107,7 @@ Scene glossy_room() {
 }
 
 TEST(LightPaths, BouncesOfADiffuseSceneAddUpToTheWhole) {
-  const Scene box = test::box_scene();
+  const Scene box = made::box_scene();
   std::vector<std::string> bounces{"C.{0,1}[LOB]"};
   for (int k = 1; k <= 12; ++k) bounces.push_back("C.{" + std::to_string(k + 1) + "}[LOB]");
   for (const Quantity quantity : {Quantity::irradiance, Quantity::radiance})
@@ -115,7 +115,7 @@ TEST(LightPaths, BouncesOfADiffuseSceneAddUpToTheWhole) {
 }
 
 TEST(LightPaths, DirectAndIndirectLightAddUpToAll) {
-  for (const Scene& scene : {test::box_scene(), glossy_room()})
+  for (const Scene& scene : {made::box_scene(), glossy_room()})
     for (const Quantity quantity : {Quantity::irradiance, Quantity::radiance})
       expect_sum(scene, quantity, {"C.{0,1}[LOB]", "C.{2,}[LOB]"}, "", 1024);
 }
@@ -135,7 +135,7 @@ TEST(LightPaths, LightsAddUpByTheirKind) {
 }
 
 TEST(LightPaths, TheWholeIsTheSameBitsAsNoRestriction) {
-  for (const Scene& scene : {test::box_scene(), glossy_room()}) {
+  for (const Scene& scene : {made::box_scene(), glossy_room()}) {
     const Restricted free = ask(scene, Quantity::radiance, {""}), whole = ask(scene, Quantity::radiance, {"C.*[LOB]"});
     EXPECT_EQ(free.total, whole.total);
     EXPECT_EQ(free.rays(), whole.rays());
@@ -158,7 +158,7 @@ TEST(LightPaths, ARestrictedAnswerCostsLess) {
   EXPECT_LT(two, whole / 2);
   EXPECT_LT(direct, two);
   EXPECT_EQ(ask(scene, Quantity::irradiance, {"C.*B"}).rays(), 0U) << "there is no environment";
-  EXPECT_EQ(ask(test::box_scene(), Quantity::irradiance, {"CD*[GS].*[LOB]"}).rays(), 0U) << "nothing is glossy";
+  EXPECT_EQ(ask(made::box_scene(), Quantity::irradiance, {"CD*[GS].*[LOB]"}).rays(), 0U) << "nothing is glossy";
 }
 
 /// A mirror throws the light of a lamp that faces it onto the floor under a screen.
@@ -212,9 +212,9 @@ TEST(Planned, AConvexRoomIsTheSameWithAndWithoutVisibilityRays) {
 }
 
 TEST(Planned, ABlackRoomTracesDirectLightAlone) {
-  test::BoxOptions options;
+  made::BoxOptions options;
   options.floor_albedo = options.left_albedo = options.right_albedo = Rgb();
-  const Scene black = test::box_scene(options);
+  const Scene black = made::box_scene(options);
   EXPECT_EQ(ask(black, Quantity::irradiance, {""}).rays(), ask(black, Quantity::irradiance, {"C.{0,1}[LOB]"}).rays());
 }
 
@@ -262,7 +262,7 @@ TEST(Planned, TheBounceBoundLeavesOutLessThanItsTolerance) {
 
 /// Where nothing is glossy, leaving out glossy paths changes neither the answer nor the work nor the memory.
 TEST(Planned, ADiffuseSceneCostsNothingForGlossySupport) {
-  const World world(test::box_scene(), 1);
+  const World world(made::box_scene(), 1);
   const auto samples = area_uniform_samples(world, 60, 5);
   const auto run = [&](const std::optional<EffectSet>& allowed) {
     const MethodEntry entry = pathtracer_entry();

@@ -8,13 +8,13 @@
 #include "common/core/random.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
+#include "common/scene/made_scenes.h"
 #include "methods/pathtracer/replicate_sums.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench {
 namespace {
 
-using test::SceneBuilder;
+using made::SceneBuilder;
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 struct Values {
@@ -100,7 +100,7 @@ double mean(const std::vector<Rgb>& values) {
 }
 
 TEST(PathTracer, TheSameSeedGivesTheSameBitsForAnyThreads) {
-  const Tracer tracer(test::box_scene(), {{"samples", "48"}});
+  const Tracer tracer(made::box_scene(), {{"samples", "48"}});
   const Values one = tracer.irradiance(200, 3, 1), two = tracer.irradiance(200, 3, 2), other = tracer.irradiance(200, 4, 1);
   EXPECT_EQ(one.direct, two.direct);
   EXPECT_EQ(one.indirect, two.indirect);
@@ -109,7 +109,7 @@ TEST(PathTracer, TheSameSeedGivesTheSameBitsForAnyThreads) {
 }
 
 TEST(PathTracer, ManySamplesOfOneValueGiveTheSameBitsForAnyThreads) {
-  const Tracer tracer(test::box_scene(), {{"samples", "10000"}});
+  const Tracer tracer(made::box_scene(), {{"samples", "10000"}});
   const Values one = tracer.irradiance(2, 3, 1), two = tracer.irradiance(2, 3, 2);
   EXPECT_EQ(one.direct, two.direct);
   EXPECT_EQ(one.indirect, two.indirect);
@@ -117,9 +117,9 @@ TEST(PathTracer, ManySamplesOfOneValueGiveTheSameBitsForAnyThreads) {
 
 TEST(PathTracer, ContinuesASequenceWhereItStopped) {
   for (const char* replicates : {"1", "16"}) {
-    const Tracer whole(test::box_scene(), {{"samples", "96"}, {"replicates", replicates}});
-    const Tracer first(test::box_scene(), {{"samples", "40"}, {"replicates", replicates}});
-    const Tracer rest(test::box_scene(), {{"samples", "56"}, {"first_sample", "40"}, {"replicates", replicates}});
+    const Tracer whole(made::box_scene(), {{"samples", "96"}, {"replicates", replicates}});
+    const Tracer first(made::box_scene(), {{"samples", "40"}, {"replicates", replicates}});
+    const Tracer rest(made::box_scene(), {{"samples", "56"}, {"first_sample", "40"}, {"replicates", replicates}});
     const Values all = whole.irradiance(50), a = first.irradiance(50), b = rest.irradiance(50);
     for (std::size_t i = 0; i < 50; ++i) {
       const Rgb joined = a.indirect[i] * (40.0F / 96.0F) + b.indirect[i] * (56.0F / 96.0F);
@@ -130,7 +130,7 @@ TEST(PathTracer, ContinuesASequenceWhereItStopped) {
 
 TEST(PathTracer, TellsItsVariance) {
   // Over many seeds: the scatter of a value is the mean of the variances that it reported, for both parts and their sum.
-  const Tracer tracer(test::box_scene(), {{"samples", "64"}, {"replicates", "16"}});
+  const Tracer tracer(made::box_scene(), {{"samples", "64"}, {"replicates", "16"}});
   constexpr std::size_t points = 20;
   constexpr int seeds = 100;
   std::array<double, 3> scatter{}, reported{};
@@ -188,7 +188,7 @@ TEST(PathTracer, BoundsTheReflections) {
 }
 
 TEST(PathTracer, GivesEachPartAlone) {
-  const Tracer tracer(test::box_scene());
+  const Tracer tracer(made::box_scene());
   const auto samples = area_uniform_samples(tracer.world(), 50, 7);
   const Values both = tracer.irradiance(50);
   std::vector<Rgb> direct(50), indirect(50);
@@ -256,7 +256,7 @@ TEST(PathTracer, AccessibilityIsTheShareOfOpenSky) {
 }
 
 TEST(PathTracer, RelightsWithoutPreparingAgain) {
-  Tracer tracer(test::box_scene());
+  Tracer tracer(made::box_scene());
   const Values before = tracer.irradiance(20);
   Lighting lighting = Lighting::of(tracer.world().scene());
   for (Rgb& emission : lighting.emission) emission *= 2.0F;

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/scene/made_scenes.h"
 #include "methods/spectral/relighting.h"
 #include "methods/spectral/transfer_making.h"
 #include "methods/spectral/transfer_rows.h"
-#include "tests/support/scene_builder.h"
 
 namespace gibench::test {
 
@@ -17,7 +17,7 @@ inline spectral::Settings spectral_settings(std::vector<std::pair<std::string, s
 
 /// A closed room one surface of which glows, with a block in it.
 inline Scene closed_room() {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
   builder.room("room", white, Vec3(0.0F), Vec3(1.0F, 1.5F, 2.0F));
   builder.block("block", white, {0.3F, 0.2F, 0.3F}, {0.6F, 0.5F, 0.9F}, 20.0F);

@@ -17,7 +17,7 @@ StudyRun run_of(const std::string& scene, const std::string& method, const std::
   run.method = method;
   run.label = label;
   run.status = RunStatus::done;
-  run.seconds["shade_surface"] = seconds;
+  run.seconds[Stage::shade_surface] = seconds;
   run.errors[key] = {.value = error, .low = {}, .high = {}, .noise_floor = 1e-4};
   return run;
 }
@@ -86,10 +86,11 @@ TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
 
 TEST(TransportSeconds, AddsTheStagesOfTheDomain) {
   StudyRun run;
-  run.seconds = {{"load", 100.0}, {"prepare", 1.0}, {"light", 2.0}, {"shade_surface", 4.0}, {"shade", 12.0}};
+  run.seconds = {
+      {Stage::load, 100.0}, {Stage::prepare, 1.0}, {Stage::light, 2.0}, {Stage::shade_surface, 4.0}, {Stage::shade, 12.0}};
   EXPECT_DOUBLE_EQ(*run.transport_seconds(Domain::surface), 7.0);
   EXPECT_DOUBLE_EQ(*run.transport_seconds(Domain::image), 15.0);
-  run.seconds = {{"load", 1.0}, {"prepare", 1.0}};
+  run.seconds = {{Stage::load, 1.0}, {Stage::prepare, 1.0}};
   EXPECT_FALSE(run.transport_seconds(Domain::surface));
 }
 

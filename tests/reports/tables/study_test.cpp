@@ -59,7 +59,7 @@ TEST_F(StudyFixture, CollectsWhatTheRecordsSay) {
   EXPECT_NEAR(error->value, 0.2 / std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(*error->low, error->value * 0.95, 1e-12);
   EXPECT_EQ(run.error({Domain::surface, Component::direct, "relative_rmse"}), nullptr);
-  EXPECT_THAT(run.effects->missing, ElementsAre("glossy_final_bounce"));
+  EXPECT_THAT(run.effects->missing, ElementsAre(Effect::glossy_final_bounce));
 }
 
 const std::string& text_in(const Table& table, std::size_t row, const std::string& column) {

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "tests/support/scene_builder.h"
+#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -17,8 +17,8 @@ std::unique_ptr<const RayBackend> backend_of(const Scene& scene) {
 }
 
 TEST(EmbreeBackend, TellsTheBytesOfItsHierarchy) {
-  const auto small = backend_of(test::random_triangles(100, 1.0F, 0.1F, 1));
-  const auto large = backend_of(test::random_triangles(20000, 1.0F, 0.1F, 1));
+  const auto small = backend_of(made::random_triangles(100, 1.0F, 0.1F, 1));
+  const auto large = backend_of(made::random_triangles(20000, 1.0F, 0.1F, 1));
   EXPECT_GT(small->bytes(), 100U * sizeof(Triangle));
   EXPECT_GT(large->bytes(), 20000U * sizeof(Triangle));
   EXPECT_GT(large->bytes(), small->bytes());
@@ -29,7 +29,7 @@ TEST(EmbreeBackend, ItsThreadsAreItsOwn) {
   using tbb::global_control;
   const auto allowed = [] { return global_control::active_value(global_control::max_allowed_parallelism); };
   const std::size_t before = allowed();
-  const auto backend = backend_of(test::random_triangles(5000, 1.0F, 0.1F, 1));
+  const auto backend = backend_of(made::random_triangles(5000, 1.0F, 0.1F, 1));
   EXPECT_EQ(allowed(), before) << "building with one thread must not hold back the process";
 }
 #endif

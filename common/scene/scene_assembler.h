@@ -1,4 +1,4 @@
-/// A builder of a scene's geometry, in double precision, recentred at the end.
+/// The assembly of a scene's geometry in double precision, and its recentring.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ struct ObjectGeometry {
   void append(const ObjectGeometry& other);
 };
 
-/// Used once per scene: objects first, then finish_geometry(), then everything that needs to_local().
-class SceneBuilder {
+/// Used once for each scene: objects first, then finish_geometry(), then everything that needs to_local().
+class SceneAssembler {
  public:
-  explicit SceneBuilder(Scene& scene) : scene_(scene) {}
+  explicit SceneAssembler(Scene& scene) : scene_(scene) {}
 
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }

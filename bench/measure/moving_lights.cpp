@@ -1,4 +1,4 @@
-#include "bench/measure/light_path.h"
+#include "bench/measure/moving_lights.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
+#include "common/core/overloaded.h"
 #include "common/json/json_schema.h"
 #include "common/json/json_text.h"
 #include "common/scene_io/native/read_edit.h"
@@ -43,12 +44,12 @@ json between(const json& a, const json& b, double share) {
   return result;
 }
 
-class LightPath {
+class MovingLights {
  public:
-  LightPath(const std::filesystem::path& file, const Scene& scene)
+  MovingLights(const std::filesystem::path& file, const Scene& scene)
       : top_(file.string()), scene_(scene), written_lights_(written_lights(scene)) {
     document_ = parse_json(read_file(file), file.string());
-    check_against_json_schema(document_, json::parse(light_path_schema_text()), top_, "see scenes/light-path.schema.json");
+    check_against_json_schema(document_, json::parse(moving_lights_schema_text()), top_, "see scenes/light-path.schema.json");
     tracks_ = part_or_empty(document_, "lights");
     switches_ = part_or_empty(document_, "switches");
     check();
@@ -56,27 +57,34 @@ class LightPath {
 
   int own_frames() const { return document_.value("frames", default_frames); }
 
-  PathFrame frame(double before, double at) const {
-    PathFrame frame{at, scene_.lights, scene_.materials, {}};
+  LightsFrame frame(double before, double at) const {
+    LightsFrame frame{at, scene_.lights, scene_.materials, {}};
     json edits = json::array();
     for (const json& track : tracks_) edits.push_back(light_at(track, at));
-    for (const SceneEdit& edit : read(edits, top_["lights"])) {
-      const auto& light = std::get<LightEdit>(edit);
-      frame.lights[light.light] = light.after;
-    }
+    for (const SceneEdit& edit : read(edits, top_["lights"])) change(frame, edit, true);
     const std::vector<SceneEdit> switched = read(without_times(switches_), top_["switches"]);
     for (std::size_t i = 0; i < switched.size(); ++i) {
       const double time = switches_[i]["at"].get<double>();
       if (time > at) break;
-      const auto& edit = std::get<MaterialEdit>(switched[i]);
-      for (Material& material : frame.materials)
-        if (material.name == edit.material) material = edit.after;
-      if (time > before) frame.switched.push_back(edit);
+      change(frame, switched[i], time > before);
     }
     return frame;
   }
 
  private:
+  /// `is_new`: it was not yet made in the frame before.
+  static void change(LightsFrame& frame, const SceneEdit& edit, bool is_new) {
+    std::visit(Overloaded{[&](const LightEdit& light) { frame.lights[light.light] = light.after; },
+                          [&](const MaterialEdit& switched) {
+                            for (Material& material : frame.materials)
+                              if (material.name == switched.material) material = switched.after;
+                            if (is_new) frame.switched.push_back(switched);
+                          },
+                          [](const MoveEdit&) { GIBENCH_CHECK(false, "the schema admits lights and materials alone"); },
+                          [](const DeformEdit&) { GIBENCH_CHECK(false, "the schema admits lights and materials alone"); }},
+               edit);
+  }
+
   void check() const {
     check_times(switches_, top_["switches"]);
     check_against_edits(switches_, top_["switches"]);
@@ -118,8 +126,8 @@ class LightPath {
     Scene scene;
     scene.origin = scene_.origin;
     scene.materials = scene_.materials;
-    SceneBuilder builder(scene);
-    read_edits(edits, written_lights_, place, scene_.file.parent_path(), builder);
+    SceneAssembler assembler(scene);
+    read_edits(edits, written_lights_, place, scene_.file.parent_path(), assembler);
     return scene.edits;
   }
 
@@ -151,14 +159,14 @@ class LightPath {
 
 }  // namespace
 
-std::vector<PathFrame> read_light_path(const std::filesystem::path& file, const Scene& scene, std::optional<int> frames) {
-  const LightPath path(file, scene);
-  const int count = frames.value_or(path.own_frames());
-  std::vector<PathFrame> result;
+std::vector<LightsFrame> read_moving_lights(const std::filesystem::path& file, const Scene& scene, std::optional<int> frames) {
+  const MovingLights lights(file, scene);
+  const int count = frames.value_or(lights.own_frames());
+  std::vector<LightsFrame> result;
   double before = -1.0;
   for (int i = 0; i < count; ++i) {
     const double at = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
-    result.push_back(path.frame(before, at));
+    result.push_back(lights.frame(before, at));
     before = at;
   }
   return result;

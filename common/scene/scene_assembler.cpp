@@ -1,4 +1,4 @@
-#include "common/scene/scene_builder.h"
+#include "common/scene/scene_assembler.h"
 
 #include <glm/common.hpp>
 #include <limits>
@@ -27,7 +27,7 @@ void ObjectGeometry::append(const ObjectGeometry& other) {
   }
 }
 
-void SceneBuilder::add_object(Object object, ObjectGeometry geometry, const std::string& place) {
+void SceneAssembler::add_object(Object object, ObjectGeometry geometry, const std::string& place) {
   if (vertices_.size() + geometry.vertices.size() >= unused)
     throw InputError(place, "the scene has more than 4 294 967 294 vertices", "leave out objects");
   object.vertex_begin = static_cast<std::uint32_t>(vertices_.size());
@@ -52,7 +52,7 @@ void SceneBuilder::add_object(Object object, ObjectGeometry geometry, const std:
   scene_.objects.push_back(std::move(object));
 }
 
-void SceneBuilder::finish_geometry(const std::string& place) {
+void SceneAssembler::finish_geometry(const std::string& place) {
   if (scene_.faces.empty()) throw InputError(place, "the scene is empty: it has no faces", "give at least one object a face");
   Vec3d low = vertices_.front(), high = vertices_.front();
   for (const Vec3d& v : vertices_) low = glm::min(low, v), high = glm::max(high, v);
