@@ -1,4 +1,5 @@
-/// The program: parses the call, runs one verb, turns what went wrong into one line and an exit status.
+#include "bench/app/program.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,10 +16,11 @@
 #include "bench/record/machine.h"
 #include "common/core/error.h"
 #include "common/core/find_file.h"
+#include "methods/registry.h"
+
+namespace gibench {
 
 namespace {
-
-using namespace gibench;
 
 int failed(ExitStatus status, ErrorCode code, std::string text) {
   for (char& c : text)
@@ -40,7 +42,8 @@ bool is_verb(const CLI::App& app, const std::string& word) {
   return !verbs.empty();
 }
 
-int run_program(int argc, char** argv) {
+int run_verb(int argc, char** argv, const std::vector<MethodEntry>& own_methods) {
+  for (const MethodEntry& entry : own_methods) add_method(entry);
   CLI::App app("Compares light-transport methods on the same scenes: how much accuracy does a second buy?", "gibench");
   app.set_version_flag("--version", version() + " (" + commit() + ")");
   app.require_subcommand(1);
@@ -59,9 +62,9 @@ int run_program(int argc, char** argv) {
   return static_cast<int>(call.action());
 }
 
-int guarded(int argc, char** argv) {
+int guarded(int argc, char** argv, const std::vector<MethodEntry>& own_methods) {
   try {
-    return run_program(argc, argv);
+    return run_verb(argc, argv, own_methods);
   } catch (const MissingFileError& error) {
     return failed(ExitStatus::bad_input, ErrorCode::missing_file, error.what());
   } catch (const InputError& error) {
@@ -77,12 +80,16 @@ int guarded(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv, const std::vector<MethodEntry>& own_methods) {
   die_with_parent_study();
   listen_for_cancellation();
-  const int status = guarded(argc, argv);
+  const int status = guarded(argc, argv, own_methods);
   // Answers that could not be written to stdout (a full disk) count as failure.
   if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && status == 0)
     return failed(ExitStatus::work_failed, ErrorCode::work_failed, "stdout: cannot be written to");
   return status;
 }
+
+}  // namespace gibench
+
+int main(int argc, char** argv) { return gibench::run_program(argc, argv); }
