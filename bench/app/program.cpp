@@ -91,5 +91,3 @@ int run_program(int argc, char** argv, const std::vector<MethodEntry>& own_metho
 }
 
 }  // namespace gibench
-
-int main(int argc, char** argv) { return gibench::run_program(argc, argv); }
