@@ -11,7 +11,8 @@ found=$(grep -rIlF -e "$source/" -e "$build/" -e "$scratch" "$tree" || true)
 [ -z "$found" ] || fail "$found"$'\n'"  names a folder of the build"
 found=$(find "$tree" -type l)
 [ -z "$found" ] || fail "$found"$'\n'"  is a link"
-found=$(grep -aoF -e "$source/scenes" -e "$source/reports" -e "$build/share" -e "$build/bin" "$tree/bin/gibench" || true)
+# (Sources are named by the messages of failed checks and by debug information.)
+found=$(grep -aoF -e "$source/scenes" -e "$source/reports/page" -e "$source/reports/plots" -e "$build/share" -e "$build/bin" "$tree/bin/gibench" || true)
 [ -z "$found" ] || fail "$found"$'\n'"  stands in bin/gibench"
 found=$(readelf -d "$tree/bin/gibench" "$tree"/lib/gibench/*.so | grep -E '\((RPATH|RUNPATH)\)' | grep -F -e "$source" -e "$build" || true)
 [ -z "$found" ] || fail "$found"$'\n'"  is a run path into the build"
@@ -19,8 +20,8 @@ found=$(readelf -d "$tree/bin/gibench" "$tree"/lib/gibench/*.so | grep -E '\((RP
 # Where the system lets us, both folders are empty from here on.
 hidden=()
 if unshare --mount --map-root-user true 2>/dev/null; then
-  hidden=(unshare --mount --map-root-user bash -c 'mount -t tmpfs none "$0" && mount -t tmpfs none "$1" 2>/dev/null; exec "${@:2}"'
-    "$build" "$source")
+  hidden=(unshare --mount --map-root-user bash -c 'for one in "$0" "$1"; do mount -t tmpfs none "$one" 2>/dev/null; done
+    exec "${@:2}"' "$build" "$source")
 fi
 gibench() { "${hidden[@]}" "$tree/bin/gibench" "$@"; }
 
