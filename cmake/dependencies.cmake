@@ -1,8 +1,18 @@
 # Every library outside the project. All that is missing is named at once, with the Debian packages that bring it.
 set(gibench_missing "")
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+# What a project that uses gibench's libraries has to look for as well: lines of its package (package.cmake).
+set(GIBENCH_PUBLIC_DEPENDENCIES "")
 
-# gibench_find(NAME DEBIAN_PACKAGE [arguments of find_package ...])
+# gibench_find(NAME DEBIAN_PACKAGE [arguments of find_package ...]): a library that the project's libraries link.
 macro(gibench_find NAME DEBIAN_PACKAGE)
+  gibench_find_tool(${NAME} ${DEBIAN_PACKAGE} ${ARGN})
+  string(JOIN " " gibench_dependency ${NAME} ${ARGN})
+  string(APPEND GIBENCH_PUBLIC_DEPENDENCIES "find_dependency(${gibench_dependency})\n")
+endmacro()
+
+# gibench_find_tool(NAME DEBIAN_PACKAGE [arguments of find_package ...]): one that only this build uses.
+macro(gibench_find_tool NAME DEBIAN_PACKAGE)
   find_package(${NAME} ${ARGN} QUIET)
   if(NOT ${NAME}_FOUND)
     list(APPEND gibench_missing ${DEBIAN_PACKAGE})
@@ -31,14 +41,15 @@ gibench_find(assimp libassimp-dev CONFIG)
 gibench_find(OpenMesh libopenmesh-dev CONFIG)
 gibench_find(spectra libspectra-dev CONFIG)
 gibench_find(Boost libboost-dev)
+gibench_find(METIS libmetis-dev)
 if(GIBENCH_TESTS)
-  gibench_find(GTest "libgtest-dev libgmock-dev" CONFIG)
+  gibench_find_tool(GTest "libgtest-dev libgmock-dev" CONFIG)
 endif()
 if(GIBENCH_BENCHMARKS)
-  gibench_find(benchmark libbenchmark-dev CONFIG)
+  gibench_find_tool(benchmark libbenchmark-dev CONFIG)
 endif()
 # OpenImageIO's CMake package is broken in Debian 12.
-gibench_find(PkgConfig pkg-config)
+gibench_find_tool(PkgConfig pkg-config)
 if(PkgConfig_FOUND)
   pkg_check_modules(OIIO IMPORTED_TARGET QUIET OpenImageIO>=2.4)
 endif()
@@ -47,9 +58,6 @@ if(NOT OIIO_FOUND)
 endif()
 gibench_find_header(VALIJSON_INCLUDE_DIR libvalijson-dev valijson/validator.hpp)
 gibench_find_header(XXHASH_INCLUDE_DIR libxxhash-dev xxhash.h)
-# METIS brings neither a CMake package nor a pkg-config file.
-gibench_find_header(METIS_INCLUDE_DIR libmetis-dev metis.h)
-find_library(METIS_LIBRARY metis)
 
 if(gibench_missing)
   list(JOIN gibench_missing " " gibench_missing)

@@ -1,6 +1,8 @@
 # What the program reads at run time lies in share/gibench, found from the program's own place: ../share/gibench. The
 # build folder has the same layout as the installed tree, with links to the sources.
 include(GNUInstallDirs)
+# Whatever names no component is of the program; the others are plots (packages of npm) and development (package.cmake).
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 # Where the program looks, and so not to be set: bin/gibench, lib/gibench/, share/gibench/.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
@@ -26,7 +28,7 @@ install(DIRECTORY ${GIBENCH_DATA_FOLDER}/generated_scenes DESTINATION ${data} OP
 install(DIRECTORY reports/page reports/plots DESTINATION ${data}/reports)
 list(TRANSFORM report_files PREPEND reports/)
 install(FILES ${report_files} DESTINATION ${data}/reports)
-install(DIRECTORY ${GIBENCH_DATA_FOLDER}/reports/node_modules DESTINATION ${data}/reports OPTIONAL
+install(DIRECTORY ${GIBENCH_DATA_FOLDER}/reports/node_modules DESTINATION ${data}/reports COMPONENT plots OPTIONAL
         PATTERN "playwright-core" EXCLUDE)  # only the tests use a browser
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "Doxyfile" EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

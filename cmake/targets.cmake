@@ -1,17 +1,23 @@
 # How the project's own targets are made: one library a folder, one test program a test folder.
 
+# Projects that use the installed libraries choose their own warnings, but not what decides the code: headers hold lanes of the
+# processor's vectors.
 add_library(gibench_options INTERFACE)
-target_include_directories(gibench_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(gibench_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-                       ${GIBENCH_FALSE_WARNINGS} $<$<BOOL:${GIBENCH_WARNINGS_AS_ERRORS}>:-Werror>
+target_include_directories(gibench_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                           $<INSTALL_INTERFACE:include/gibench>)
+target_compile_features(gibench_options INTERFACE cxx_std_20)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion ${GIBENCH_FALSE_WARNINGS}
+    $<$<BOOL:${GIBENCH_WARNINGS_AS_ERRORS}>:-Werror>)
+target_compile_options(gibench_options INTERFACE "$<BUILD_INTERFACE:${warnings}>"
                        $<$<BOOL:${GIBENCH_ARCHITECTURE}>:-march=${GIBENCH_ARCHITECTURE}>
                        # Fused multiply-adds are contracted the same way in every build of one machine only where
                        # the compiler is told not to choose: same seed, same bits.
                        -ffp-contract=off)
 # A default must not hide a kind that a switch forgets.
-target_compile_options(gibench_options INTERFACE -Wswitch-enum)
+target_compile_options(gibench_options INTERFACE $<BUILD_INTERFACE:-Wswitch-enum>)
 target_compile_definitions(gibench_options INTERFACE $<$<BOOL:${GIBENCH_STD_THREADS}>:GIBENCH_STD_THREADS>)
 target_link_libraries(gibench_options INTERFACE Threads::Threads fmt::fmt nlohmann_json::nlohmann_json glm::glm)
+gibench_install_library(gibench_options options)
 
 # gibench_cool(TARGET): code without hot loops (verbs, loaders, tests) compiles in two thirds of the time this way.
 function(gibench_cool TARGET)
@@ -61,7 +67,8 @@ if(GIBENCH_PRECOMPILED_HEADERS)
   endif()
 endif()
 
-# gibench_library(NAME [COOL] LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder.
+# gibench_library(NAME [COOL] LIBRARIES ...): a static library gibench_NAME of every .cpp file of this folder, installed as
+# gibench::NAME.
 function(gibench_library NAME)
   cmake_parse_arguments(ARG "COOL" "" "LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -78,14 +85,16 @@ function(gibench_library NAME)
     add_library(gibench_${NAME} INTERFACE)
     target_link_libraries(gibench_${NAME} INTERFACE gibench_options ${ARG_LIBRARIES})
   endif()
+  gibench_install_library(gibench_${NAME} ${NAME})
 endfunction()
 
-# gibench_test(NAME [SLOW] LIBRARIES ...): a test program test_NAME of every *_test.cpp file of this folder; its
-# cases are CTest tests. GIBENCH_TEST_DATA is this folder. SLOW ones are labelled `long` and
-# started first, so that no core idles at the end.
+# gibench_test(NAME [SLOW] LIBRARIES ... [EXCEPT FILE...]): a test program test_NAME of every .cpp file of this folder but
+# some; its cases are CTest tests. GIBENCH_TEST_DATA is this folder. SLOW ones are labelled `long` and started first, so that no
+# core idles at the end.
 function(gibench_test NAME)
-  cmake_parse_arguments(ARG "SLOW" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW" "" "LIBRARIES;EXCEPT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(REMOVE_ITEM sources ${ARG_EXCEPT})
   add_executable(test_${NAME} ${sources})
   target_link_libraries(test_${NAME} PRIVATE gibench_options ${ARG_LIBRARIES} GTest::gmock GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${NAME} PRIVATE GIBENCH_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "common/core/error.h"
@@ -13,14 +14,27 @@
 
 namespace gibench {
 
-std::span<const MethodEntry> all_methods() {
-  static const std::vector<MethodEntry> methods{
+namespace {
+
+std::vector<MethodEntry>& registry() {
+  static std::vector<MethodEntry> methods{
       pathtracer_entry(),
       meshless_entry(),
       spectral_entry(),
       antiradiance_entry(),
   };
   return methods;
+}
+
+}  // namespace
+
+std::span<const MethodEntry> all_methods() { return registry(); }
+
+void add_method(MethodEntry entry) {
+  for (const MethodEntry& known : registry())
+    if (known.name == entry.name)
+      throw InputError("the program's own methods", fmt::format("'{}' is there already", entry.name), "choose another name");
+  registry().push_back(std::move(entry));
 }
 
 const MethodEntry& find_method(std::string_view name, const std::string& place) {

@@ -51,7 +51,8 @@ void print_plan(const PlanRecord& method) {
 
 void print_check(const CheckRecord& check) {
   fmt::print("{}: valid\n", check.scene);
-  for (const auto& [name, value] : to_json(check.analysis.geometry).items()) fmt::print("  {:<20} {}\n", name, value.dump());
+  const nlohmann::ordered_json geometry = to_json(check.analysis.geometry);
+  for (const auto& [name, value] : geometry.items()) fmt::print("  {:<20} {}\n", name, value.dump());
   const auto& [twins, opposite_twins, overlaps] = check.coincident;
   fmt::print("  {:<20} {} twins, {} opposite twins, {} overlaps\n", "coincident triangles", twins, opposite_twins, overlaps);
   for (const MeasuredCamera& camera : check.cameras)

@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "methods/registry.h"
-
 namespace gibench::contract {
 
 std::span<const Check> all_checks() {
@@ -44,25 +42,19 @@ const Check& find_check(const std::string& name) {
   return *found;
 }
 
-const std::vector<MethodEntry>& all_techniques() {
-  static const std::vector<MethodEntry> all = [] {
-    std::vector<MethodEntry> techniques;
-    for (const MethodEntry& entry : all_methods()) {
-      const auto chosen = std::find_if(entry.schema.begin(), entry.schema.end(),
-                                       [&](const ParameterSpec& spec) { return spec.name == entry.technique_parameter; });
-      if (chosen == entry.schema.end()) techniques.push_back(entry);
-      else
-        for (const std::string& choice : chosen->choices) {
-          MethodEntry technique = entry;
-          technique.quick.emplace_back(chosen->name, choice);
-          technique.name += "_" + choice;
-          std::replace(technique.name.begin(), technique.name.end(), '-', '_');
-          techniques.push_back(std::move(technique));
-        }
-    }
-    return techniques;
-  }();
-  return all;
+std::vector<MethodEntry> techniques_of(const MethodEntry& entry) {
+  const auto chosen = std::find_if(entry.schema.begin(), entry.schema.end(),
+                                   [&](const ParameterSpec& spec) { return spec.name == entry.technique_parameter; });
+  if (chosen == entry.schema.end()) return {entry};
+  std::vector<MethodEntry> techniques;
+  for (const std::string& choice : chosen->choices) {
+    MethodEntry technique = entry;
+    technique.quick.emplace_back(chosen->name, choice);
+    technique.name += "_" + choice;
+    std::replace(technique.name.begin(), technique.name.end(), '-', '_');
+    techniques.push_back(std::move(technique));
+  }
+  return techniques;
 }
 
 std::string violation_of(const Check& check, const MethodEntry& entry) {

@@ -27,9 +27,9 @@ std::span<const Check> all_checks();
 /// Throws std::out_of_range for a name that no check has.
 const Check& find_check(const std::string& name);
 
-/// The registered methods, one whose techniques are choices of a parameter once for each choice: of a name of its own, with
-/// quick settings that choose it.
-const std::vector<MethodEntry>& all_techniques();
+/// A method, or where its techniques are choices of a parameter once for each choice: of a name of its own, with quick settings
+/// that choose it.
+std::vector<MethodEntry> techniques_of(const MethodEntry& entry);
 
 /// What is broken; empty where the promise holds.
 std::string violation_of(const Check& check, const MethodEntry& entry);

@@ -5,9 +5,24 @@
 
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
+
+#include "methods/registry.h"
 
 namespace gibench::contract {
 namespace {
+
+/// Of every registered method.
+const std::vector<MethodEntry>& all_techniques() {
+  static const std::vector<MethodEntry> all = [] {
+    std::vector<MethodEntry> techniques;
+    for (const MethodEntry& entry : all_methods())
+      for (MethodEntry& technique : techniques_of(entry)) techniques.push_back(std::move(technique));
+    return techniques;
+  }();
+  return all;
+}
 
 using MethodAndCheck = std::tuple<std::size_t, std::size_t>;
 

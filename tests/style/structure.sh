@@ -81,6 +81,7 @@ check_rooms() {
   sees bench/study '(bench/(study|measure|record)|common)/' "studies see only measuring, records and common"
   sees bench/micro '(bench/micro|methods|common)/' "micro-benchmarks see only methods and common"
   sees reports '(reports|bench/record|common)/' "reports see only records and common"
+  sees examples '(common/|bench/app/program\.h"|tests/contract/contract\.h"|methods/gathering/)' "examples see only what is installed"
   links bench/record '(methods|pathtracer|meshless|spectral|antiradiance|measure|study|app|report)' "records see only common"
   links bench/measure '(study|app|report)' "measuring sees only records, methods and common"
   links bench/study '(methods|app|report)' "studies see only measuring, records and common"

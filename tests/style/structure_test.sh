@@ -61,6 +61,8 @@ breach bench/micro/b.cpp "micro-benchmarks see only" '#include "bench/measure/a.
 breach bench/micro/b.cpp "the program knows no tests" '#include "tests/support/a.h"'
 breach reports/tables/b.cpp "reports see only" '#include "bench/study/a.h"'
 breach reports/tables/b.cpp "reports see only" '#include "methods/registry.h"'
+breach examples/new_method/b.cpp "examples see only what is installed" '#include "methods/registry.h"'
+breach examples/new_method/b.cpp "examples see only what is installed" '#include "bench/app/verbs.h"'
 breach bench/record/CMakeLists.txt "records see only common" 'gibench_library(record LIBRARIES gibench_methods)'
 breach bench/measure/CMakeLists.txt "measuring sees only" 'gibench_library(measure LIBRARIES gibench_app)'
 breach bench/study/CMakeLists.txt "studies see only" 'target_link_libraries(gibench_study PUBLIC gibench_methods)'
