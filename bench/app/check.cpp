@@ -89,8 +89,8 @@ ExitStatus check(const CheckOptions& options, const CommonOptions& common) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   CheckRecord record;
   record.scene = scene.name, record.file = scene.file.string();
-  record.analysis = {scene_key(scene), report_geometry(scene),   count_coincidences(loaded.world->geometry().coplanar()),
-                     effects.effects,  BoundRecord::of(effects), seconds};
+  record.analysis = {scene_key(scene), report_geometry(scene), effects.effects, BoundRecord::of(effects), seconds};
+  record.coincident = count_coincidences(loaded.world->geometry().coplanar());
   record.cameras = cameras_of(scene), record.lights = scene.lights.size(), record.warnings = scene.warnings;
   record.light_kinds = effects.lights, record.changes = names_of(effects.changes);
   record.methods = plans_of(scene, effects, chosen);

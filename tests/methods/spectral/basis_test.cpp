@@ -49,7 +49,7 @@ double inner_product(const SpectralBasis& basis, const SpectralBasis::Part& part
 }
 
 Scene square(float side) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.quad("square", builder.diffuse("white", Rgb(0.5F)), {{{0, 0, 0}, {0, 0, side}, {side, 0, side}, {side, 0, 0}}});
   return builder.build("square");
 }
@@ -269,7 +269,7 @@ TEST(SpectralBasis, PartOfOneVertexHasTheConstant) {
 }
 
 TEST(SpectralBasis, SliversAsThinAsFloatsMakeThemHaveABasis) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   builder.object(
       "slivers", builder.diffuse("white", Rgb(0.5F)),
       {{0.5F, 0.5F, 0.5F}, {0.6F, 0.5F, 0.5F}, {0.7F, 0.5F, 0.5F}, {0.6F, 0.5F + 1e-7F, 0.5F}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
@@ -281,7 +281,7 @@ TEST(SpectralBasis, SliversAsThinAsFloatsMakeThemHaveABasis) {
 }
 
 TEST(SurfaceGraph, AWallThatStandsOnAFloorPartsIt) {
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
   builder.quad("floor", white, {{{0, 0, 0}, {0, 0, 1}, {2, 0, 1}, {2, 0, 0}}});
   builder.quad("wall", white, {{{1.01F, 0, 0}, {1.01F, 1, 0}, {1.01F, 1, 1}, {1.01F, 0, 1}}}, true);

@@ -181,7 +181,7 @@ TEST(SpectralTransfer, RaysAboutOneVertexAreCosineDistributedAndDiffer) {
 
 TEST(SpectralTransfer, NothingPassesAThinWall) {
   // Two rooms on one floor, a wall of a millimetre between them.
-  SceneBuilder builder;
+  made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
   builder.room("rooms", white, Vec3(0.0F), Vec3(2.0F, 1.0F, 1.0F));
   builder.block("wall", white, {0.995F, 0.0F, 0.0F}, {0.996F, 1.0F, 1.0F});
@@ -216,7 +216,7 @@ TEST(SpectralTransfer, RowsOfABlockAreThoseOfItsVertices) {
 TEST(SpectralTransfer, NoLightOfAFloorIsTakenFromUnderTheBlocksThatStandOnIt) {
   // Hollow blocks sunk into the floor at several angles: vertices under them see nothing, and beside them all of the room.
   for (const float degrees : {3.0F, 17.0F, 30.0F, 45.0F}) {
-    SceneBuilder builder;
+    made::SceneBuilder builder;
     const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
     builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
     builder.block("block", white, {0.3F, -0.1F, 0.35F}, {0.6F, 0.4F, 0.7F}, degrees);
