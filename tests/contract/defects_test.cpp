@@ -106,7 +106,7 @@ TEST_P(TheContractCatchesAnEntry, That) {
 const WrongEntry wrong_entries[] = {
     {"HasNoSummary", [](MethodEntry& e) { e.summary.clear(); }, "TheEntryDescribesItself", "summary"},
     {"HasTwoLinesOfSource", [](MethodEntry& e) { e.source = "a\nb"; }, "TheEntryDescribesItself", "source"},
-    {"HasNoLightPaths", [](MethodEntry& e) { e.light_paths = "C<D>*[<LO>]"; }, "LightPathsAreTold", "no expression"},
+    {"HasNoLightPaths", [](MethodEntry& e) { e.light_paths = "C<D>*[<LO>]"; }, "LightPathsAreTold", "not an expression"},
     {"HasNoPlainName", [](MethodEntry& e) { e.name = "Am bient"; }, "TheEntryDescribesItself", "not a plain name"},
     {"TakesWhatItShouldNotKnow",
      [](MethodEntry& e) {
