@@ -166,18 +166,22 @@ TEST(Study, ASceneWhoseModelsAreMissingIsSkippedWithOneLine) {
   EXPECT_EQ(run_of(manifest, "room.pathtracer-samples=1")["status"], "done");
 }
 
+void expect_all_done(const Json& manifest) {
+  for (const Json& run : manifest["runs"]) EXPECT_EQ(run["status"], "done");
+}
+
 TEST(Study, ShardsShareTheRunsAndEndWithTheWholeManifest) {
   const Workshop shop;
   ASSERT_EQ(study(shop, small_study(), {"--shard", "0/2"}).status, 0);
   EXPECT_EQ(run_of(shop.read_json("out/manifest.json"), "room.pathtracer-samples=4")["message"], "not run yet");
   ASSERT_EQ(study(shop, small_study(), {"--shard", "1/2"}).status, 0);
-  for (const Json& run : shop.read_json("out/manifest.json")["runs"]) EXPECT_EQ(run["status"], "done");
+  expect_all_done(shop.read_json("out/manifest.json"));
 }
 
 TEST(Study, RunsAtOnceGiveTheSameResults) {
   const Workshop shop;
   ASSERT_EQ(study(shop, small_study({1, 2, 4}), {"--jobs", "3"}).status, 0);
-  for (const Json& run : shop.read_json("out/manifest.json")["runs"]) EXPECT_EQ(run["status"], "done");
+  expect_all_done(shop.read_json("out/manifest.json"));
 }
 
 /// Kills the study once its first run is finished, and gives what was there then.
