@@ -63,14 +63,21 @@ bool complete(const Sparse& matrix, const Eigen::VectorXd& values) {
   return below && *below == upper;
 }
 
+/// In absolute value; unlike coeffs() also of a matrix that is not compressed.
+double largest_value(const Sparse& matrix) {
+  double largest = 0.0;
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+    for (Sparse::InnerIterator entry(matrix, column); entry; ++entry) largest = std::max(largest, std::abs(entry.value()));
+  return largest;
+}
+
 bool sound(const Sparse& matrix, const Eigenpairs& pairs) {
   const Eigen::Index count = pairs.values.size();
   if (!pairs.values.allFinite() || !pairs.vectors.allFinite()) return false;
   const double apart =
       (pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(count, count)).cwiseAbs().maxCoeff();
   const double residual = (matrix * pairs.vectors - pairs.vectors * pairs.values.asDiagonal()).cwiseAbs().maxCoeff();
-  const double scale = matrix.coeffs().cwiseAbs().maxCoeff();
-  return apart <= tolerance && residual <= tolerance * scale;
+  return apart <= tolerance && residual <= tolerance * largest_value(matrix);
 }
 
 std::optional<Eigenpairs> by_lanczos(const Sparse& matrix, Eigen::Index count, double shift, Eigen::Index subspace) try {
