@@ -114,7 +114,7 @@ void print_errors(const std::string& what, const ComponentErrors& errors) {
       if (const auto error = table.find(headline_metric); error != table.end() && std::isfinite(error->second.value))
         fmt::print("  {:<8} light, {:<7}  {} {:.3f}% [{:.3f}, {:.3f}]{}\n", to_string(component), to_string(domain), what,
                    100.0 * error->second.value, 100.0 * error->second.low, 100.0 * error->second.high,
-                   error->second.below_noise_floor ? ", below the noise floor" : "");
+                   error->second.resolved ? "" : ", not resolved");
 }
 
 void print_summary(const RunRecord& record) {

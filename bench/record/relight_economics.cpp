@@ -28,7 +28,7 @@ Bounded path_tracing_seconds(const PathTraced& traced, const ErrorValue& rmse) {
     if (!(error > 0.0) || !std::isfinite(error)) return std::nullopt;
     return if_finite(std::max(one_path, traced.seconds * std::pow(traced.rmse / error, 2.0)));
   };
-  if (rmse.below_noise_floor) return {{}, seconds_to(std::max(rmse.high, rmse.noise_floor.value_or(0.0))), {}};
+  if (!rmse.resolved) return {{}, seconds_to(rmse.high), {}};
   return {seconds_to(rmse.value), seconds_to(rmse.high), seconds_to(rmse.low)};
 }
 

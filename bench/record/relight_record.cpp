@@ -52,7 +52,7 @@ Json frame_json(const RelitFrame& frame) {
       if (!std::isfinite(error.value)) continue;
       Json& value = json["errors"][to_string(component)][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
       if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
-      value["below_noise_floor"] = error.below_noise_floor;
+      value["resolved"] = error.resolved;
     }
   if (!frame.reference) return json;
   json["reference"] = {{"seconds", frame.reference->seconds}, {"rmse", frame.reference->rmse}, {"paths", frame.reference->paths}};

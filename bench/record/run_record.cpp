@@ -90,10 +90,8 @@ Json to_json(const ErrorTable& table) {
     if (!std::isfinite(error.value)) continue;  // psnr of equal pictures: JSON has no infinity
     Json entry{{"value", error.value}};
     if (std::isfinite(error.low) && std::isfinite(error.high)) entry["ci95"] = {error.low, error.high};
-    if (error.noise_floor) {
-      entry["noise_floor"] = *error.noise_floor;
-      entry["below_noise_floor"] = error.below_noise_floor;
-    }
+    if (error.noise_floor) entry["noise_floor"] = *error.noise_floor;
+    entry["resolved"] = error.resolved;
     metrics[name] = std::move(entry);
   }
   return metrics;
@@ -188,11 +186,12 @@ double end_of(const Json& json, double unbounded) { return json.is_null() ? unbo
 
 ErrorValue error_value_of(const Json& json) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  ErrorValue error{json.at("value").get<double>(), -infinite, infinite, std::nullopt, false};
+  ErrorValue error{json.at("value").get<double>(), -infinite, infinite, std::nullopt, true};
   if (const Json* interval = field(json, "ci95"))
     error.low = end_of(interval->at(0), -infinite), error.high = end_of(interval->at(1), infinite);
   read_field(json, "noise_floor", error.noise_floor);
-  read_field(json, "below_noise_floor", error.below_noise_floor);
+  error.resolved = error.low > 0.0 || error.high < 0.0;  // older records do not say
+  read_field(json, "resolved", error.resolved);
   return error;
 }
 

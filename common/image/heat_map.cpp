@@ -43,9 +43,13 @@ Image heat_map(int width, int height, std::span<const float> values, float low, 
 std::vector<float> relative_error_map(std::span<const Rgb> pixels, std::span<const Rgb> reference) {
   GIBENCH_CHECK(pixels.size() == reference.size(), "one reference value for each pixel");
   std::vector<float> errors(pixels.size());
+  RgbDouble total;
+  for (const Rgb& value : reference) total += RgbDouble(value);
+  const auto mean = static_cast<float>((total.r + total.g + total.b) / (3.0 * static_cast<double>(reference.size())));
+  if (!(mean > 0.0F)) return errors;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     float sum = 0.0F;
-    for (int c = 0; c < 3; ++c) sum += std::abs(pixels[i][c] - reference[i][c]) / (std::abs(reference[i][c]) + 0.01F);
+    for (int c = 0; c < 3; ++c) sum += std::abs(pixels[i][c] - reference[i][c]) / (std::abs(reference[i][c]) + 0.01F * mean);
     errors[i] = sum / 3.0F;
   }
   return errors;

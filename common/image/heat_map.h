@@ -16,7 +16,8 @@ Rgb viridis(float value);
 /// One colour for each value; `low` and `high` are the ends of the scale (high > low).
 Image heat_map(int width, int height, std::span<const float> values, float low, float high);
 
-/// Per pixel |x − r| / (|r| + 0.01), averaged over the channels: what mape(0.01) is the mean of.
+/// Per pixel |x − r| / (|r| + 0.01 M), averaged over the channels, M the mean of r: what mape(0.01) is the mean of. 0 for a black
+/// reference.
 std::vector<float> relative_error_map(std::span<const Rgb> pixels, std::span<const Rgb> reference);
 
 }  // namespace gibench

@@ -1,6 +1,7 @@
 #include "common/metrics/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/core/error.h"
@@ -24,7 +25,9 @@ void check_finite(std::span<const Rgb> values, const std::string& what) {
 /// The means of a reference with their storage.
 struct HalvedReference {
   const Replicas& replicas;
-  std::vector<Rgb> mean, half_a, half_b, noisy;
+  std::vector<Rgb> mean, half_a, half_b;
+  std::array<std::vector<Rgb>, 3> thirds;
+  std::vector<Rgb> noisy, noisier;  ///< with the noise of the mean, and of two thirds, for their one error
 
   explicit HalvedReference(const Replicas& set) : replicas(set) {
     if (set.count() < 2)
@@ -32,60 +35,64 @@ struct HalvedReference {
                        "make it with more replicates");
     mean = set.mean(), half_a = set.half(0), half_b = set.half(1);
     check_finite(mean, "reference");
+    // Two replicates have no thirds: metrics with weights are not defined.
+    if (set.count() > 2) thirds = {set.third(0), set.third(1), set.third(2)};
     noisy = values_with_noise_only(means());
+    noisier = values_with_noise_only(means(), noise_of_two_thirds);
   }
-  ReferenceMeans means() const { return {mean, half_a, half_b}; }
-  std::vector<double> influences(const MetricEstimate& estimate) const {
-    return slope_influences(estimate.slope, replicas, mean);
+  ReferenceMeans means() const { return {mean, half_a, half_b, {thirds[0], thirds[1], thirds[2]}}; }
+
+  Interval interval(const MetricEstimate& estimate) const {
+    return interval_over_points(estimate.value, slope_influences(estimate.slope, replicas, mean), estimate.parts);
   }
 };
 
-ErrorValue with_floor(ErrorValue error, double floor) {
-  error.noise_floor = floor;
-  error.below_noise_floor = std::abs(error.value) < floor;
-  return error;
+/// What a metric gives for values whose only error is noise.
+double floor_of(const ValueMetric& metric, const HalvedReference& reference, std::span<const Rgb> noisy) {
+  return metric.estimate(noisy, ReferenceMeans::exact(reference.mean)).value().value;
 }
 
-/// A mean of squares taken over the halves: the estimate is unbiased and so may be negative, the error is not.
-ErrorValue squared_error(const HalvedReference& reference, const MetricEstimate& estimate, double floor) {
-  const Interval interval = student_interval(estimate.value, reference.influences(estimate));
-  return with_floor({std::max(0.0, estimate.value), std::max(0.0, interval.low), std::max(0.0, interval.high), {}, false}, floor);
+/// Of the noise: at least its mean absolute value, by which |x−r| is too large at most. Where few values hold most of the noise,
+/// as with fireflies, the halves' difference shows the former far better than the latter.
+double root_mean_square(std::span<const double> parts) {
+  double squares = 0.0;
+  for (const double part : parts) squares += part * part;
+  return std::sqrt(squares / static_cast<double>(parts.size()));
 }
 
-/// Its root: the interval's ends are carried through.
+/// Not negative, whatever the estimate is.
+ErrorValue positive(double value, const Interval& interval, double floor) {
+  return {std::max(0.0, value), std::max(0.0, interval.low), std::max(0.0, interval.high), floor, interval.low > 0.0};
+}
+
+/// The root of a mean of squares: the interval's ends are carried through.
 ErrorValue root(const ErrorValue& square) {
   return {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high), std::sqrt(*square.noise_floor),
-          square.below_noise_floor};
-}
-
-ErrorValue absolute_error(const HalvedReference& reference, const MetricEstimate& estimate, double floor) {
-  return error_against_mean(estimate.value, student_interval(estimate.value, reference.influences(estimate)), floor);
-}
-
-/// The maximum picks the value whose noise is largest: it may be too large by all of the largest noise.
-ErrorValue largest(const HalvedReference& reference, const MetricEstimate& estimate, double floor) {
-  const Interval interval = student_interval(estimate.value, reference.influences(estimate));
-  return with_floor({estimate.value, std::max(0.0, interval.low - floor), interval.high, {}, false}, floor);
+          square.resolved};
 }
 
 ErrorValue signed_error(const HalvedReference& reference, const MetricEstimate& estimate) {
-  const std::vector<double> influences = reference.influences(estimate);
-  const Interval interval = student_interval(estimate.value, influences);
-  return with_floor({estimate.value, interval.low, interval.high, {}, false}, standard_error(influences));
-}
-
-/// What a metric gives for values whose only error is the reference's own noise.
-double floor_of(const ValueMetric& metric, const HalvedReference& reference) {
-  return metric.estimate(reference.noisy, ReferenceMeans::exact(reference.mean)).value().value;
+  const Interval interval = reference.interval(estimate);
+  const double floor = standard_error(slope_influences(estimate.slope, reference.replicas, reference.mean));
+  return {estimate.value, interval.low, interval.high, floor, interval.low > 0.0 || interval.high < 0.0};
 }
 
 ErrorValue error_of(const ValueMetric& metric, const MetricEstimate& estimate, const HalvedReference& reference) {
+  if (metric.taken == Taken::with_sign) return signed_error(reference, estimate);
+  Interval interval = reference.interval(estimate);
+  const bool of_two_thirds = metric.taken == Taken::against_two_thirds;
+  const double floor = floor_of(metric, reference, of_two_thirds ? reference.noisier : reference.noisy);
   switch (metric.taken) {
-    case Taken::as_square: return squared_error(reference, estimate, floor_of(metric, reference));
-    case Taken::as_root_of_square: return root(squared_error(reference, estimate, floor_of(metric, reference)));
-    case Taken::with_sign: return signed_error(reference, estimate);
-    case Taken::against_mean: return absolute_error(reference, estimate, floor_of(metric, reference));
-    case Taken::as_largest: return largest(reference, estimate, floor_of(metric, reference));
+    case Taken::as_square: return positive(estimate.value, interval, floor);
+    case Taken::as_root_of_square: return root(positive(estimate.value, interval, floor));
+    case Taken::against_two_thirds:
+      interval.low -= root_mean_square(metric.estimate(reference.noisier, ReferenceMeans::exact(reference.mean))->parts);
+      return positive(estimate.value, interval, floor);
+    case Taken::as_largest:
+      // The maximum picks the value whose noise is largest: it may be too large by all of the largest noise.
+      interval.low -= floor;
+      return positive(estimate.value, interval, floor);
+    case Taken::with_sign: break;
   }
   return {};
 }

@@ -15,9 +15,10 @@
 namespace gibench {
 
 /// The metrics of linear values (metric_table.h). Channels are averaged. InputError for fewer than two replicates or a value
-/// that is not finite. What the squared errors are over two halves is unbiased, also where the error is smaller than the
-/// reference's noise (a negative estimate is given as 0); the others are against the mean of all replicates, whose noise they
-/// contain: the low end of their interval allows for it. relative_rmse and bias are absent where the mean of r is not positive.
+/// that is not finite. Squared errors are taken over independent parts of the reference and are unbiased, also where the error
+/// is smaller than the reference's noise (a negative estimate is given as 0); mape, smape and max contain that noise: the low end
+/// of their interval allows for it, and the first two, like rel_mse, need three replicates. Only rmse and max are there where the
+/// mean of r is not positive. Intervals cover the reference's noise and the choice of points, not the seed of a method.
 ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference);
 
 /// value_errors of the pixels, and the metrics of pictures (picture_errors.h) at the exposure and over its range.

@@ -18,6 +18,12 @@ double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+Interval student_interval(double value, double standard_error, std::size_t count) {
+  const boost::math::students_t distribution(static_cast<double>(count) - 1.0);
+  const double reach = boost::math::quantile(distribution, 0.975) * standard_error;
+  return {value - reach, value + reach};
+}
+
 }  // namespace
 
 double standard_error(std::span<const double> influences) {
@@ -29,9 +35,14 @@ double standard_error(std::span<const double> influences) {
 }
 
 Interval student_interval(double value, std::span<const double> influences) {
-  const boost::math::students_t distribution(static_cast<double>(influences.size()) - 1.0);
-  const double reach = boost::math::quantile(distribution, 0.975) * standard_error(influences);
-  return {value - reach, value + reach};
+  return student_interval(value, standard_error(influences), influences.size());
+}
+
+Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts) {
+  const double over_replicates = standard_error(influences);
+  const double over_points = parts.size() < 2 ? 0.0 : standard_error(parts);
+  return over_points > over_replicates ? student_interval(value, over_points, parts.size())
+                                       : student_interval(value, over_replicates, influences.size());
 }
 
 std::vector<double> slope_influences(std::span<const Rgb> slope, const Replicas& reference, std::span<const Rgb> mean) {

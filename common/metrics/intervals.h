@@ -1,4 +1,4 @@
-/// 95% intervals over the replicates of a reference.
+/// 95% intervals over the replicates of a reference and the choice of points.
 ///
 /// A metric T is a function of the replicates r_1 … r_R, which are independent and alike. Its interval is Student's,
 /// T ± t(0.975, R−1) s, with s² = Σ d_k² / (R (R−1)), where d_k is the influence of replicate k: d_k = ∇T · (r_k − r̄)
@@ -10,6 +10,10 @@
 /// it is degenerate in each half, and has but R−2 degrees of freedom. The influence d_k = −2 ⟨r_k − r̄, x − r̄⟩ has for
 /// normal replicates E[s²] = (4/R) E[⟨r_k − r̄, x − r̄⟩²] R/(R−1) = 4 e'Σe/R + 4 tr Σ²/R²: the variance of T exactly,
 /// from R−1 degrees of freedom, for every even R.
+///
+/// The points where values are compared are drawn as well. With p_i the part of point i, so that T is their mean to first
+/// order, s_p² = Σ (p_i − T)² / (n (n−1)) is the variance of T over points and, since the noise of different points is
+/// independent, over replicates too. s² sees the latter alone, but also noise that points share: the larger of the two counts.
 #pragma once
 
 #include <span>
@@ -27,6 +31,9 @@ struct Interval {
 
 /// value ± t(0.975, R−1) s from the influences of R ≥ 2 replicates, whose mean is taken off.
 Interval student_interval(double value, std::span<const double> influences);
+
+/// The same with the parts of the points; without them as above.
+Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts);
 
 /// Standard error s of the same.
 double standard_error(std::span<const double> influences);

@@ -32,11 +32,11 @@ enum class MetricUnit {
 
 /// How value, noise floor and interval follow from an estimate over the two halves of a reference.
 enum class Taken {
-  as_square,          ///< unbiased: an estimate below 0 is 0
-  as_root_of_square,  ///< the root of that
-  with_sign,          ///< may be negative; the floor is the standard error
-  against_mean,       ///< not negative, and made larger by the noise of the mean
-  as_largest,         ///< picks the value whose noise is largest
+  as_square,           ///< unbiased: an estimate below 0 is 0
+  as_root_of_square,   ///< the root of that
+  with_sign,           ///< may be negative; the floor is the standard error
+  against_two_thirds,  ///< not negative, and made larger by the noise of two thirds of the reference
+  as_largest,          ///< picks the value whose noise is largest
 };
 
 /// A metric of linear values.

@@ -19,7 +19,7 @@ constexpr std::size_t most_groups = 8;
 Pictures pictures_of(std::span<const Rgb> pixels, const Replicas& reference) {
   const std::vector<Rgb> half_a = reference.half(0), half_b = reference.half(1);
   Pictures pictures{{pixels.begin(), pixels.end()}, reference.mean(), {}, {}};
-  pictures.noisy = values_with_noise_only({pictures.mean, half_a, half_b});
+  pictures.noisy = values_with_noise_only({pictures.mean, half_a, half_b, {}});
   const std::size_t groups = std::min(reference.count(), most_groups);
   for (std::size_t group = 0; group < groups; ++group) pictures.without.push_back(reference.mean_without(group, groups));
   return pictures;
@@ -99,7 +99,7 @@ ErrorValue flip_error_over(const PictureComparison& comparison, std::span<const 
 
 ErrorValue error_against_mean(double value, const Interval& interval, double floor) {
   const double low = std::max(0.0, interval.low);
-  return {value, std::sqrt(std::max(0.0, low * low - floor * floor)), interval.high, floor, value < floor};
+  return {value, std::sqrt(std::max(0.0, low * low - floor * floor)), interval.high, floor, low > floor};
 }
 
 std::optional<ErrorValue> psnr_error(const PictureComparison& comparison) {
@@ -108,7 +108,7 @@ std::optional<ErrorValue> psnr_error(const PictureComparison& comparison) {
   // The noise adds its mean square to the error's: the upper end is what is left without it.
   const double squares = std::pow(10.0, -0.1 * m.interval.high) - std::pow(10.0, -0.1 * m.noise);
   const double high = squares > 0.0 ? std::min(most_decibels, -10.0 * std::log10(squares)) : most_decibels;
-  return ErrorValue{m.value, m.interval.low, std::max(high, m.value), m.noise, m.value > m.noise};
+  return ErrorValue{m.value, m.interval.low, std::max(high, m.value), m.noise, squares > 0.0};
 }
 
 std::optional<ErrorValue> ssim_error(const PictureComparison& comparison) {
@@ -118,8 +118,8 @@ std::optional<ErrorValue> ssim_error(const PictureComparison& comparison) {
     return ssim(width, height, picture, reference).value();
   });
   const double ceiling = similarity_without_error(m.noise);
-  return ErrorValue{m.value, std::max(-1.0, m.interval.low), std::min(1.0, m.interval.high + 1.0 - ceiling), ceiling,
-                    m.value > ceiling};
+  const double high = m.interval.high + 1.0 - ceiling;
+  return ErrorValue{m.value, std::max(-1.0, m.interval.low), std::min(1.0, high), ceiling, high < 1.0};
 }
 
 std::optional<ErrorValue> flip_error(const PictureComparison& comparison) {

@@ -41,6 +41,11 @@ std::vector<Rgb> Replicas::half(int which) const {
   return mean_of(*this, static_cast<std::size_t>(which), 2);
 }
 
+std::vector<Rgb> Replicas::third(int which) const {
+  GIBENCH_CHECK(which >= 0 && which < 3, "there are three thirds");
+  return mean_of(*this, static_cast<std::size_t>(which), 3);
+}
+
 std::vector<Rgb> Replicas::mean_without(std::size_t left_out, std::size_t groups) const {
   GIBENCH_CHECK(left_out < groups && groups <= count() && count() > 1, "some replicates remain");
   check_shape(*this);

@@ -1,6 +1,7 @@
 #include "common/metrics/value_metrics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -21,31 +22,66 @@ void check_sizes(std::span<const Rgb> values, const ReferenceMeans& reference) {
                 "one reference value for each value");
 }
 
-/// One term of a mean and its derivative by r.
+/// Whether the weights of a metric have replicates of their own; `mean` is M.
+bool has_weights(const ReferenceMeans& reference, double mean) {
+  return mean > 0.0 &&
+         std::ranges::all_of(reference.thirds, [&](const auto& third) { return third.size() == reference.mean.size(); });
+}
+
+/// One term of a mean, its derivative by r, and by the constant of its weight.
 struct Term {
-  double value, slope;
+  double value, slope, by_constant = 0.0;
 };
 
-/// Mean of term(x, r, a, b) over every value and channel, summed in chunks whose order is fixed.
+/// A value of one channel and what the reference says of it.
+struct Compared {
+  double x, r, a, b;
+  std::array<double, 3> thirds;
+};
+
+/// An estimate, and its derivative by the constant of its weights.
+struct Summed {
+  MetricEstimate estimate;
+  double by_constant = 0.0;
+};
+
+/// Mean of term(i, compared) over every value and channel, summed in chunks whose order is fixed.
 template <class TermOf>
-MetricEstimate mean_of_terms(std::span<const Rgb> values, const ReferenceMeans& reference, const TermOf& term_of) {
+Summed sum_terms(std::span<const Rgb> values, const ReferenceMeans& reference, const TermOf& term_of) {
   check_sizes(values, reference);
   const std::size_t count = values.size();
-  MetricEstimate estimate{0.0, std::vector<Rgb>(count)};
-  std::vector<double> sums(chunk_count(count, chunk_size));
+  MetricEstimate estimate{0.0, std::vector<Rgb>(count), std::vector<double>(count)};
+  std::vector<std::array<double, 2>> sums(chunk_count(count, chunk_size));
   parallel_chunks(0, count, chunk_size, [&](const ChunkRange& range) {
-    double sum = 0.0;
+    double sum = 0.0, by_constant = 0.0;
     for (std::size_t i = range.begin; i < range.end; ++i)
       for (int c = 0; c < 3; ++c) {
-        const Term term = term_of(i, double{values[i][c]}, double{reference.mean[i][c]}, double{reference.half_a[i][c]},
-                                  double{reference.half_b[i][c]});
+        const auto third = [&](std::size_t which) {
+          return reference.thirds[which].empty() ? 0.0 : double{reference.thirds[which][i][c]};
+        };
+        const Compared compared{double{values[i][c]},
+                                double{reference.mean[i][c]},
+                                double{reference.half_a[i][c]},
+                                double{reference.half_b[i][c]},
+                                {third(0), third(1), third(2)}};
+        const Term term = term_of(i, compared);
         sum += term.value;
+        by_constant += term.by_constant;
         estimate.slope[i][c] = static_cast<float>(term.slope);
+        estimate.parts[i] += term.value / 3.0;
       }
-    sums[range.chunk] = sum;
+    sums[range.chunk] = {sum, by_constant};
   });
-  estimate.value = std::accumulate(sums.begin(), sums.end(), 0.0) / (3.0 * static_cast<double>(count));
-  return estimate;
+  Summed summed{std::move(estimate)};
+  for (const auto& [sum, by_constant] : sums) summed.estimate.value += sum, summed.by_constant += by_constant;
+  summed.estimate.value /= 3.0 * static_cast<double>(count);
+  summed.by_constant /= 3.0 * static_cast<double>(count);
+  return summed;
+}
+
+template <class TermOf>
+MetricEstimate mean_of_terms(std::span<const Rgb> values, const ReferenceMeans& reference, const TermOf& term_of) {
+  return sum_terms(values, reference, term_of).estimate;
 }
 
 double mean_of(std::span<const Rgb> values) {
@@ -56,22 +92,58 @@ double mean_of(std::span<const Rgb> values) {
 
 double sign_of(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
-Term relative_squared_term(double x, double r, double a, double b) {
-  const double weight = 1.0 / (r * r + 0.01);
-  const double square = (x - a) * (x - b);
-  return {square * weight, -2.0 * (x - r) * weight - 2.0 * r * (x - r) * (x - r) * weight * weight};
+/// The mean of a metric whose weights have a constant c that moves by `slope_of_constant` with M: every r moves M.
+template <class TermOf>
+MetricEstimate weighted_mean(std::span<const Rgb> values, const ReferenceMeans& reference, double mean, double slope_of_constant,
+                             const TermOf& term_of) {
+  Summed summed = sum_terms(values, reference, term_of);
+  MetricEstimate& estimate = summed.estimate;
+  const double by_mean = summed.by_constant * slope_of_constant;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    estimate.slope[i] += Rgb(static_cast<float>(by_mean));
+    estimate.parts[i] += by_mean * (mean_of({&reference.mean[i], 1}) - mean);
+  }
+  return std::move(estimate);
+}
+
+/// (x−A)(x−B) / (C² + constant) over the three ways to take the thirds; the slope is that at the mean.
+Term relative_squared_term(const Compared& at, double constant) {
+  Term term{0.0, 0.0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double weight = 1.0 / (at.thirds[k] * at.thirds[k] + constant);
+    const double square = (at.x - at.thirds[(k + 1) % 3]) * (at.x - at.thirds[(k + 2) % 3]);
+    term.value += square * weight / 3.0;
+    term.by_constant -= square * weight * weight / 3.0;
+  }
+  const double weight = 1.0 / (at.r * at.r + constant), error = at.x - at.r;
+  term.slope = -2.0 * error * weight - 2.0 * at.r * error * error * weight * weight;
+  return term;
+}
+
+/// |x−B| / (base + |C| + constant), B the mean of two thirds.
+Term relative_absolute_term(const Compared& at, double base, double constant) {
+  Term term{0.0, 0.0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double weight = 1.0 / (base + std::abs(at.thirds[k]) + constant);
+    const double error = std::abs(at.x - 0.5 * (at.thirds[(k + 1) % 3] + at.thirds[(k + 2) % 3]));
+    term.value += error * weight / 3.0;
+    term.by_constant -= error * weight * weight / 3.0;
+  }
+  const double weight = 1.0 / (base + std::abs(at.r) + constant);
+  term.slope = sign_of(at.r - at.x) * weight - std::abs(at.x - at.r) * sign_of(at.r) * weight * weight;
+  return term;
 }
 
 /// 1 for every value that the trimming keeps.
-std::vector<std::uint8_t> kept_by_trimming(std::span<const Rgb> values, std::span<const Rgb> mean) {
+std::vector<std::uint8_t> kept_by_trimming(std::span<const Rgb> values, std::span<const Rgb> mean, double constant) {
   const std::size_t dropped = values.size() / 1000;
   std::vector<std::uint8_t> kept(values.size(), 1);
   if (dropped == 0) return kept;
   std::vector<double> error(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     for (int c = 0; c < 3; ++c) {
-      const double x = values[i][c], r = mean[i][c];
-      error[i] += relative_squared_term(x, r, r, r).value;
+      const double r = mean[i][c], error_here = values[i][c] - r;
+      error[i] += error_here * error_here / (r * r + constant);
     }
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -84,15 +156,16 @@ std::vector<std::uint8_t> kept_by_trimming(std::span<const Rgb> values, std::spa
 
 }  // namespace
 
-std::vector<Rgb> values_with_noise_only(const ReferenceMeans& reference) {
+std::vector<Rgb> values_with_noise_only(const ReferenceMeans& reference, double factor) {
   std::vector<Rgb> values(reference.mean.begin(), reference.mean.end());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += 0.5F * (reference.half_a[i] - reference.half_b[i]);
+  const auto share = static_cast<float>(0.5 * factor);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += share * (reference.half_a[i] - reference.half_b[i]);
   return values;
 }
 
 MetricEstimate mean_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  return mean_of_terms(values, reference, [](std::size_t, double x, double r, double a, double b) {
-    return Term{(x - a) * (x - b), -2.0 * (x - r)};
+  return mean_of_terms(values, reference, [](std::size_t, const Compared& at) {
+    return Term{(at.x - at.a) * (at.x - at.b), -2.0 * (at.x - at.r)};
   });
 }
 
@@ -100,10 +173,13 @@ std::optional<MetricEstimate> relative_mean_squared_error(std::span<const Rgb> v
   const double mean = mean_of(reference.mean);
   if (!(mean > 0.0)) return std::nullopt;
   MetricEstimate estimate = mean_squared_error(values, reference);
-  const auto scale = static_cast<float>(1.0 / (mean * mean));
-  const auto shift = static_cast<float>(-2.0 * estimate.value / (mean * mean * mean));
-  for (Rgb& slope : estimate.slope) slope = scale * slope + Rgb(shift);
-  estimate.value /= mean * mean;
+  const double squared = mean * mean, by_mean = -2.0 * estimate.value / (squared * mean);
+  const auto scale = static_cast<float>(1.0 / squared), shift = static_cast<float>(by_mean);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    estimate.slope[i] = scale * estimate.slope[i] + Rgb(shift);
+    estimate.parts[i] = estimate.parts[i] / squared + by_mean * (mean_of({&reference.mean[i], 1}) - mean);
+  }
+  estimate.value /= squared;
   return estimate;
 }
 
@@ -111,43 +187,57 @@ std::optional<MetricEstimate> relative_bias(std::span<const Rgb> values, const R
   check_sizes(values, reference);
   const double mean = mean_of(reference.mean), of_values = mean_of(values);
   if (!(mean > 0.0)) return std::nullopt;
-  const auto slope = static_cast<float>(-of_values / (mean * mean));
-  return MetricEstimate{(of_values - mean) / mean, std::vector<Rgb>(values.size(), Rgb(slope))};
+  const double by_mean = -of_values / (mean * mean);
+  MetricEstimate estimate{(of_values - mean) / mean, std::vector<Rgb>(values.size(), Rgb(static_cast<float>(by_mean))),
+                          std::vector<double>(values.size())};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    estimate.parts[i] = mean_of(values.subspan(i, 1)) / mean - 1.0 + by_mean * (mean_of({&reference.mean[i], 1}) - mean);
+  return estimate;
 }
 
-MetricEstimate relative_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  return mean_of_terms(values, reference,
-                       [](std::size_t, double x, double r, double a, double b) { return relative_squared_term(x, r, a, b); });
-}
-
-MetricEstimate trimmed_relative_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
+std::optional<MetricEstimate> relative_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
   check_sizes(values, reference);
-  const std::vector<std::uint8_t> kept = kept_by_trimming(values, reference.mean);
+  const double mean = mean_of(reference.mean), constant = 0.01 * mean * mean;
+  if (!has_weights(reference, mean)) return std::nullopt;
+  return weighted_mean(values, reference, mean, 0.02 * mean,
+                       [&](std::size_t, const Compared& at) { return relative_squared_term(at, constant); });
+}
+
+std::optional<MetricEstimate> trimmed_relative_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
+  check_sizes(values, reference);
+  const double mean = mean_of(reference.mean), constant = 0.01 * mean * mean;
+  if (!has_weights(reference, mean)) return std::nullopt;
+  const std::vector<std::uint8_t> kept = kept_by_trimming(values, reference.mean, constant);
   const double share = static_cast<double>(values.size() - values.size() / 1000) / static_cast<double>(values.size());
-  return mean_of_terms(values, reference, [&](std::size_t i, double x, double r, double a, double b) {
+  return weighted_mean(values, reference, mean, 0.02 * mean, [&](std::size_t i, const Compared& at) {
     if (kept[i] == 0) return Term{0.0, 0.0};
-    const Term term = relative_squared_term(x, r, a, b);
-    return Term{term.value / share, term.slope / share};
+    const Term term = relative_squared_term(at, constant);
+    return Term{term.value / share, term.slope / share, term.by_constant / share};
   });
 }
 
-MetricEstimate mean_absolute_percentage_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  return mean_of_terms(values, reference, [](std::size_t, double x, double r, double, double) {
-    const double weight = 1.0 / (std::abs(r) + 0.01), error = std::abs(x - r);
-    return Term{error * weight, sign_of(r - x) * weight - error * sign_of(r) * weight * weight};
-  });
+std::optional<MetricEstimate> mean_absolute_percentage_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
+  check_sizes(values, reference);
+  const double mean = mean_of(reference.mean);
+  if (!has_weights(reference, mean)) return std::nullopt;
+  return weighted_mean(values, reference, mean, 0.01,
+                       [&](std::size_t, const Compared& at) { return relative_absolute_term(at, 0.0, 0.01 * mean); });
 }
 
-MetricEstimate symmetric_mean_absolute_percentage_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  return mean_of_terms(values, reference, [](std::size_t, double x, double r, double, double) {
-    const double weight = 1.0 / (std::abs(x) + std::abs(r) + 0.02), error = std::abs(x - r);
-    return Term{2.0 * error * weight, 2.0 * (sign_of(r - x) * weight - error * sign_of(r) * weight * weight)};
+std::optional<MetricEstimate> symmetric_mean_absolute_percentage_error(std::span<const Rgb> values,
+                                                                       const ReferenceMeans& reference) {
+  check_sizes(values, reference);
+  const double mean = mean_of(reference.mean);
+  if (!has_weights(reference, mean)) return std::nullopt;
+  return weighted_mean(values, reference, mean, 0.02, [&](std::size_t, const Compared& at) {
+    const Term half = relative_absolute_term(at, std::abs(at.x), 0.02 * mean);
+    return Term{2.0 * half.value, 2.0 * half.slope, 2.0 * half.by_constant};
   });
 }
 
 MetricEstimate largest_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
   check_sizes(values, reference);
-  MetricEstimate estimate{0.0, std::vector<Rgb>(values.size())};
+  MetricEstimate estimate{0.0, std::vector<Rgb>(values.size()), {}};
   std::size_t place = 0;
   int channel = 0;
   for (std::size_t i = 0; i < values.size(); ++i)

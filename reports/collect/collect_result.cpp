@@ -11,7 +11,7 @@ namespace gibench::report {
 MeasuredError measured(const ErrorValue& recorded) {
   MeasuredError error{.value = recorded.value, .low = {}, .high = {}, .noise_floor = recorded.noise_floor};
   if (std::isfinite(recorded.low) && std::isfinite(recorded.high)) error.low = recorded.low, error.high = recorded.high;
-  error.below_noise_floor = recorded.below_noise_floor;
+  error.resolved = recorded.resolved;
   return error;
 }
 

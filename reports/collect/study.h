@@ -37,7 +37,7 @@ struct MeasuredError {
   double value = 0.0;
   std::optional<double> low, high;  ///< 95% interval
   std::optional<double> noise_floor;
-  bool below_noise_floor = false;
+  bool resolved = true;  ///< the interval leaves out "no error"; otherwise its far end is all that is known
 };
 
 struct StudyRun {

@@ -84,7 +84,7 @@
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
       points.push({
-        index, run: run.label, method: run.method, series: seriesOf(run), x: time, time: seconds(time), error: error.y, text: error.text, below: error.below,
+        index, run: run.label, method: run.method, series: seriesOf(run), x: time, time: seconds(time), error: error.y, text: error.text, unresolved: error.unresolved,
         floor: error.floor ?? null,
         low: error.low === undefined ? null : Math.max(error.low, smallest), high: error.high ?? null,
       });
@@ -98,13 +98,11 @@
     const values = points.flatMap((p) => [p.error, p.high ?? p.error, Math.max(p.low ?? p.error, metric.logarithmic ? p.error / 3 : -Infinity)]);
     const floors = points.map((p) => p.floor).filter((floor) => floor > 0);
     const floor = floors.length ? Math.max(...floors) : null;
-    // Room for the marks below the floor.
-    if (points.some((p) => p.below)) values.push(floor / 1.7);
     const xDomain = logDomain(points.map((p) => p.x), x.margin);
     const domain = metric.logarithmic ? logDomain(values, 1.35) : linearDomain(values);
     return fill(templates["error-curve"], {
       width, config: config(width), runs: points, ...(x.styles ?? styles(study, new Set(points.map((p) => p.method)))), legend: x.legend ?? "Method",
-      floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "below the reference's noise floor" }] : [],
+      floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "the reference's noise floor" }] : [],
       xTitle: x.title, xDomain, xTicks: x.ticks ?? logTicks(xDomain), xFormat: x.format, errorTicks: metric.logarithmic ? logTicks(domain) : null,
       errorTitle: entry.axis, errorScale: metric.logarithmic ? "log" : "linear", errorDomain: domain,
       tooltip: [{ field: "run", title: "Run" }, { field: "method", title: x.legend ?? "Method" }, { field: "text", title: "Error" }, { field: "time", title: "Time" }],

@@ -22,7 +22,7 @@
     return figure;
   }
 
-  const legend = "Hollow marks in the grey band are below the reference's noise floor: the error is smaller than drawn. Bars are 95% intervals.";
+  const legend = "Hollow marks are not resolved: their interval reaches down to no error, and the mark is at its upper end. Bars are 95% intervals; the grey band is the reference's noise floor.";
 
   function across(key) {
     const section = document.getElementById("across");
@@ -35,7 +35,7 @@
     const isDefault = key === 0;
     section.replaceChildren(title,
       element("p", { class: "lead" }, "How many times faster than the path tracer does each configuration reach its error? The path tracer's time for that error is taken from its own curve on the same scene, ",
-        "a straight line in log-log between its runs. Beyond them it is extended with the slope of Monte Carlo (marked *). An error below the noise floor counts as the floor, which makes the factor a lower bound (≥). ",
+        "a straight line in log-log between its runs. Beyond them it is extended with the slope of Monte Carlo (marked *). An error that is not resolved counts as the upper end of its interval, which makes the factor a lower bound (≥). ",
         "Configurations with results on more scenes come first; among equals the geometric mean decides."),
       ranking.points.length
         ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: one small mark for each scene (hollow: * or ≥), a bar for the geometric mean.`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])

@@ -54,7 +54,7 @@ std::string error_value(const Metric& metric, double value) {
 }
 
 std::string error_text(const Metric& metric, const MeasuredError& error) {
-  if (error.below_noise_floor && error.noise_floor) return "≤ " + error_value(metric, *error.noise_floor);
+  if (!error.resolved) return (higher_is_better(metric) ? "≥ " : "≤ ") + error_value(metric, shown_value(metric, error));
   std::string text = error_value(metric, error.value);
   if (!error.low || !error.high) return text;
   const double scale = is_percentage(metric) ? 100.0 : 1.0;

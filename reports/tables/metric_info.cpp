@@ -38,6 +38,12 @@ double badness(const Metric& metric, double value) {
   return metric.better == Better::larger ? -value : plotted_value(metric, value);
 }
 
+double shown_value(const Metric& metric, const MeasuredError& error) {
+  if (error.resolved || !error.low || !error.high) return error.value;
+  if (higher_is_better(metric)) return *error.low;
+  return metric.better == Better::nearer_to_zero ? std::max(std::abs(*error.low), std::abs(*error.high)) : *error.high;
+}
+
 ErrorKey usual_key() { return {Domain::surface, Component::indirect, headline_metric}; }
 
 std::vector<ErrorKey> measured_keys(const Study& study) {

@@ -21,6 +21,8 @@ bool higher_is_better(const Metric& metric);
 double plotted_value(const Metric& metric, double value);
 /// A number that is smaller for a better result.
 double badness(const Metric& metric, double value);
+/// The value of a resolved error; of another the end of its interval that is farthest from "no error": it may be as large.
+double shown_value(const Metric& metric, const MeasuredError& error);
 
 /// The error that a report shows where none was measured.
 ErrorKey usual_key();

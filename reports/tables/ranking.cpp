@@ -13,16 +13,14 @@ struct Entry {
   std::size_t run;
   double error;
   std::optional<double> seconds;
-  bool below_floor;
+  bool resolved;
 };
 
 std::optional<Entry> entry_of(const Study& study, std::size_t run, const ErrorKey& key, const Metric& metric) {
   const StudyRun& record = study.runs[run];
   const MeasuredError* error = record.error(key);
   if (record.status != RunStatus::done || !error) return std::nullopt;
-  const bool below = error->below_noise_floor && error->noise_floor.has_value();
-  return Entry{run, below ? badness(metric, *error->noise_floor) : badness(metric, error->value),
-               record.transport_seconds(key.domain), below};
+  return Entry{run, badness(metric, shown_value(metric, *error)), record.transport_seconds(key.domain), error->resolved};
 }
 
 void rank_scene(const std::vector<Entry>& entries, const std::map<std::size_t, RankedRun*>& ranked) {
@@ -30,8 +28,8 @@ void rank_scene(const std::vector<Entry>& entries, const std::map<std::size_t, R
     int better = 0;
     bool beaten = !entry.seconds;
     for (const Entry& other : entries) {
-      const bool tie = entry.below_floor && other.below_floor;
-      const bool more_accurate = !tie && (other.error < entry.error || (other.below_floor && !entry.below_floor));
+      const bool tie = !entry.resolved && !other.resolved;
+      const bool more_accurate = !tie && (other.error < entry.error || (!other.resolved && entry.resolved));
       const bool as_accurate = tie || other.error <= entry.error;
       if (more_accurate) ++better;
       if (other.run == entry.run || !entry.seconds || !other.seconds) continue;
@@ -96,7 +94,7 @@ BaselineCurve baseline_curve(const Study& study, const std::string& scene, const
   for (const std::size_t run : study.runs_of(scene)) {
     if (study.runs[run].method != baseline_method) continue;
     const auto entry = entry_of(study, run, key, metric);
-    if (entry && entry->seconds && !entry->below_floor) points.emplace_back(*entry->seconds, entry->error);
+    if (entry && entry->seconds && entry->resolved) points.emplace_back(*entry->seconds, entry->error);
   }
   return {std::move(points), metric.monte_carlo_slope};
 }
@@ -105,12 +103,12 @@ std::optional<SpeedUp> speed_up(const BaselineCurve& curve, const StudyRun& run,
   const MeasuredError* error = run.error(key);
   const auto seconds = run.transport_seconds(key.domain);
   if (run.status != RunStatus::done || !error || !seconds || *seconds <= 0.0) return std::nullopt;
-  const bool below = error->below_noise_floor && error->noise_floor.has_value();
   // The path tracer's own error, unknown or not, takes the path tracer's time.
-  if (below && run.method == baseline_method) return SpeedUp{.factor = 1.0};
-  const auto at = curve.seconds_at(badness(metric_info(key.metric), below ? *error->noise_floor : error->value));
+  if (!error->resolved && run.method == baseline_method) return SpeedUp{.factor = 1.0};
+  const Metric metric = metric_info(key.metric);
+  const auto at = curve.seconds_at(badness(metric, shown_value(metric, *error)));
   if (!at) return std::nullopt;
-  return SpeedUp{at->seconds / *seconds, below, at->extrapolated};
+  return SpeedUp{at->seconds / *seconds, !error->resolved, at->extrapolated};
 }
 
 std::vector<RankingRow> rank(const Study& study, const ErrorKey& key) {

@@ -122,8 +122,7 @@ Table error_table(const Study& study) {
       .rounded("Low", "ci95_low", [](const ErrorRow& row) { return row.error.low; })
       .rounded("High", "ci95_high", [](const ErrorRow& row) { return row.error.high; })
       .rounded("Noise floor", "noise_floor", [](const ErrorRow& row) { return row.error.noise_floor; })
-      .text("Below the floor", "below_noise_floor",
-            [](const ErrorRow& row) { return row.error.below_noise_floor ? "yes" : "no"; })
+      .text("Resolved", "resolved", [](const ErrorRow& row) { return row.error.resolved ? "yes" : "no"; })
       .seconds("Time", "seconds", [](const ErrorRow& row) { return row.run.transport_seconds(row.key.domain); });
   std::vector<ErrorRow> rows;
   for (const StudyRun& run : study.runs)

@@ -59,14 +59,13 @@ Json metric_json(const Metric& metric) {
           {"higher_is_better", higher_is_better(metric)}};
 }
 
-/// What is drawn for one error: the error below the noise floor is drawn at the floor.
+/// The mark of one error: one that is not resolved is drawn at the end of its interval.
 Json drawn_error(const Metric& metric, const MeasuredError& error) {
-  const bool below = error.below_noise_floor && error.noise_floor.has_value();
-  Json entry = {{"y", plotted_value(metric, below ? *error.noise_floor : error.value)},
-                {"below", below},
+  Json entry = {{"y", plotted_value(metric, shown_value(metric, error))},
+                {"unresolved", !error.resolved},
                 {"text", error_text(metric, error)}};
   if (error.noise_floor) entry["floor"] = plotted_value(metric, *error.noise_floor);
-  if (!below && error.low && error.high) {
+  if (error.resolved && error.low && error.high) {
     const double a = plotted_value(metric, *error.low), b = plotted_value(metric, *error.high);
     entry["low"] = std::min(a, b);
     entry["high"] = std::max(a, b);

@@ -14,7 +14,7 @@ namespace {
 
 using testing::Optional;
 
-ErrorValue error(double value, double low, double high) { return {value, low, high, 0.001, false}; }
+ErrorValue error(double value, double low, double high) { return {value, low, high, 0.001, true}; }
 
 TEST(PathTracingSeconds, FallWithTheSquareOfTheError) {
   const PathTraced traced{8.0, 0.02, 512.0};
@@ -55,11 +55,11 @@ TEST(PathTracingSeconds, GrowWithThePointsThatAreAsked) {
   EXPECT_EQ(many.paths, 512.0);
 }
 
-TEST(PathTracingSeconds, BelowTheNoiseFloorHaveALowerBoundAlone) {
+TEST(PathTracingSeconds, OfAnErrorThatIsNotResolvedHaveALowerBoundAlone) {
   const PathTraced traced{8.0, 0.02, 512.0};
-  const Bounded seconds = path_tracing_seconds(traced, {0.005, 0.0, 0.01, 0.02, true});
+  const Bounded seconds = path_tracing_seconds(traced, {0.005, 0.0, 0.02, 0.04, false});
   EXPECT_EQ(seconds.value, std::nullopt);
-  EXPECT_THAT(seconds.low, Optional(8.0)) << "that of an error as large as the floor";
+  EXPECT_THAT(seconds.low, Optional(8.0)) << "that of an error as large as the interval allows";
   EXPECT_EQ(seconds.high, std::nullopt);
 }
 

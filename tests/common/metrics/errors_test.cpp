@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
 #include "common/metrics/automatic_exposure.h"
 #include "tests/common/metrics/noisy_references.h"
@@ -53,10 +55,11 @@ TEST(Errors, AgainstAReferenceWithoutNoiseAreExact) {
   for (const auto& [name, exact] : exact_value_errors(values, truth)) {
     const ErrorValue& error = table.at(name);
     EXPECT_NEAR(error.value, exact, 1e-6 * std::abs(exact)) << name;
-    EXPECT_NEAR(error.low, exact, 1e-6 * std::abs(exact)) << name;
-    EXPECT_NEAR(error.high, exact, 1e-6 * std::abs(exact)) << name;
+    EXPECT_LE(error.low, exact) << name;
+    EXPECT_GE(error.high, exact) << name;
+    EXPECT_NEAR(0.5 * (error.high + error.low), exact, 0.05 * std::abs(exact)) << name << ": the choice of points alone";
     EXPECT_NEAR(error.noise_floor.value(), 0.0, 1e-7) << name;
-    EXPECT_FALSE(error.below_noise_floor) << name;
+    EXPECT_TRUE(error.resolved) << name;
   }
   for (const char* name : {"flip", "hdr_flip", "ssim", "psnr"}) {
     EXPECT_NEAR(table.at(name).low, table.at(name).value, 1e-5) << name;
@@ -64,27 +67,42 @@ TEST(Errors, AgainstAReferenceWithoutNoiseAreExact) {
   }
 }
 
-TEST(Errors, IntervalsHoldTheirValueAndTheTruth) {
+TEST(Errors, IntervalsHoldTheirValue) {
+  const Pixels truth = truth_picture();
+  Pixels values = truth;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] *= i % 2 == 0 ? 1.15F : 0.9F;
+  for (const auto& [name, error] : image_errors(width, height, values, test::noisy_replicas(truth, 8, 0.02F, 5), {})) {
+    EXPECT_LE(error.low, error.value) << name;
+    EXPECT_GE(error.high, error.value) << name;
+    EXPECT_TRUE(error.resolved) << name;
+  }
+}
+
+/// Of the metrics of pictures; those of values are in intervals_test.cpp.
+TEST(Errors, IntervalsOfPicturesHoldTheTruth) {
   const Pixels truth = truth_picture();
   Pixels values = truth;
   for (std::size_t i = 0; i < values.size(); ++i) values[i] *= i % 2 == 0 ? 1.15F : 0.9F;
   Replicas exact;
-  exact.replicas.assign(2, truth);
+  exact.replicas.assign(3, truth);
   const ErrorTable known = image_errors(width, height, values, exact, {});
-  const ErrorTable table = image_errors(width, height, values, test::noisy_replicas(truth, 8, 0.02F, 5), {});
-  for (const auto& [name, error] : table) {
-    EXPECT_LE(error.low, error.value) << name;
-    EXPECT_GE(error.high, error.value) << name;
-    // Seed 5 is one where no interval misses; 95% intervals of twelve metrics may.
-    EXPECT_LE(error.low, known.at(name).value + 1e-6) << name;
-    EXPECT_GE(error.high, known.at(name).value - 1e-6) << name;
+  constexpr int experiments = 200;
+  for (const float sigma : {0.02F, 0.1F}) {
+    std::map<std::string, double> inside;
+    for (int e = 0; e < experiments; ++e) {
+      const Replicas noisy = test::noisy_replicas(truth, 8, sigma, static_cast<std::uint64_t>(e) + 1);
+      for (const auto& [name, error] : image_errors(width, height, values, noisy, {}))
+        inside[name] += error.low <= known.at(name).value && known.at(name).value <= error.high ? 1.0 / experiments : 0.0;
+    }
+    // 200 experiments know 95% to 1.5%; ends that allow for all of the noise hold the truth more often.
+    for (const char* name : {"psnr", "ssim", "flip", "hdr_flip"}) EXPECT_GE(inside.at(name), 0.92) << name << sigma;
   }
 }
 
 TEST(Errors, OfNothingButNoiseAreBelowTheFloorOrTouchNoError) {
   const Pixels truth = truth_picture();
   const ErrorTable table = image_errors(width, height, truth, test::noisy_replicas(truth, 8, 0.1F, 5), {});
-  EXPECT_TRUE(table.at("rmse").below_noise_floor);
+  EXPECT_FALSE(table.at("rmse").resolved);
   for (const char* name : {"flip", "hdr_flip", "mape(0.01)", "smape(0.02)"})
     EXPECT_LT(table.at(name).low, 0.5 * table.at(name).value) << name;
   EXPECT_GT(table.at("psnr").high, table.at("psnr").value + 3.0);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "common/metrics/errors.h"
 #include "common/metrics/value_metrics.h"
@@ -16,40 +18,65 @@ constexpr int experiments = 2000;
 
 using Values = std::vector<Rgb>;
 
-Values truth_values(std::size_t count) {
-  Values truth;
-  for (std::size_t i = 0; i < count; ++i) truth.push_back(Rgb(1.0F + 0.5F * std::sin(static_cast<float>(i)), 0.8F, 0.6F));
-  return truth;
-}
+/// What is compared at a place u in [0, 1): the truth, and the error of a method, alternating and biased.
+struct Field {
+  float error = 0.0F;
 
-/// Values of a method: truth with an error of its own, alternating and biased.
-Values method_values(const Values& truth, float error) {
-  Values values = truth;
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += Rgb(error * (0.3F + std::cos(3.0F * static_cast<float>(i))));
-  return values;
-}
-
-struct Coverage {
-  double inside = 0.0, mean_value = 0.0;  ///< share of the intervals that hold the truth; mean of the estimates
+  Rgb truth(float u) const { return {1.0F + 0.5F * std::sin(19.0F * u), 0.8F, 0.6F + 0.2F * u}; }
+  Rgb value(float u) const { return truth(u) + Rgb(error * (0.3F + std::cos(31.0F * u))); }
 };
 
-enum class Noise { normal, skewed };
+struct Compared {
+  Values truth, values;
 
-Coverage coverage(const std::string& metric, const Values& truth, const Values& values, std::size_t replicas, float sigma,
-                  Noise noise) {
-  const double exact = exact_value_errors(values, truth).at(metric);
-  Coverage result;
+  template <class PlaceOf>
+  Compared(const Field& field, std::size_t count, const PlaceOf& place_of) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float u = place_of(i);
+      truth.push_back(field.truth(u)), values.push_back(field.value(u));
+    }
+  }
+};
+
+/// At so many places that their choice does not matter.
+std::map<std::string, double> exact_errors(const Field& field) {
+  constexpr std::size_t many = 100'000;
+  const Compared all(field, many, [](std::size_t i) { return (static_cast<float>(i) + 0.5F) / static_cast<float>(many); });
+  return exact_value_errors(all.values, all.truth);
+}
+
+enum class Noise { normal, skewed, fireflies };
+
+Replicas replicas_of(const Values& truth, std::size_t count, float sigma, Noise noise, std::uint64_t seed) {
+  switch (noise) {
+    case Noise::normal: return test::noisy_replicas(truth, count, sigma, seed);
+    case Noise::skewed: return test::skewed_replicas(truth, count, sigma, seed);
+    case Noise::fireflies: return test::replicas_with_fireflies(truth, count, sigma, seed);
+  }
+  return {};
+}
+
+struct Experiment {
+  Field field;
+  std::size_t points, replicas;
+  float sigma;
+  Noise noise = Noise::normal;
+};
+
+/// The share of experiments whose interval holds the truth, of every metric: points and noise are drawn anew each time.
+std::map<std::string, double> coverage(const Experiment& experiment) {
+  const std::map<std::string, double> exact = exact_errors(experiment.field);
+  std::map<std::string, double> inside;
   for (int e = 0; e < experiments; ++e) {
     const auto seed = static_cast<std::uint64_t>(e) + 1;
-    const Replicas reference = noise == Noise::normal ? test::noisy_replicas(truth, replicas, sigma, seed)
-                                                      : test::skewed_replicas(truth, replicas, sigma, seed);
-    const ErrorValue error = value_errors(values, reference).at(metric);
-    result.inside += error.low <= exact && exact <= error.high ? 1.0 : 0.0;
-    result.mean_value += error.value;
+    const Compared drawn(experiment.field, experiment.points,
+                         [&](std::size_t i) { return RandomStream(seed, 77, i).next_float(); });
+    const ErrorTable table =
+        value_errors(drawn.values, replicas_of(drawn.truth, experiment.replicas, experiment.sigma, experiment.noise, seed));
+    for (const auto& [metric, error] : table)
+      inside[metric] += error.low <= exact.at(metric) && exact.at(metric) <= error.high ? 1.0 / experiments : 0.0;
   }
-  result.inside /= experiments;
-  result.mean_value /= experiments;
-  return result;
+  return inside;
 }
 
 TEST(Intervals, StudentsOfAMean) {
@@ -72,71 +99,94 @@ TEST(Intervals, DeleteOneOfAMeanIsTheMeansInterval) {
   EXPECT_NEAR(standard_error(delete_one_influences(without)), standard_error(deviations), 1e-12);
 }
 
-/// Errors large against the noise, of its size, and far below it; few replicates and many; an odd number of them.
-struct Case {
-  std::size_t replicas;
-  float error, sigma;
+/// Errors large against the noise, of its size, and far below it; few replicates and many; an odd number of them; skewed noise
+/// and fireflies.
+struct ExpectedCoverage {
+  Experiment experiment;
+  double least;
 };
-class IntervalCoverage : public testing::TestWithParam<Case> {};
+class IntervalCoverage : public testing::TestWithParam<ExpectedCoverage> {};
 
-TEST_P(IntervalCoverage, OfSquaredErrorsIsNinetyFivePercent) {
-  const Case c = GetParam();
-  const Values truth = truth_values(40), values = method_values(truth, c.error);
-  for (const char* metric : {"rmse", "relative_rmse"}) {
-    const double inside = coverage(metric, truth, values, c.replicas, c.sigma, Noise::normal).inside;
-    EXPECT_GE(inside, 0.93) << metric;
-    EXPECT_LE(inside, c.error == 0.0F ? 1.0 : 0.97) << metric;
+TEST_P(IntervalCoverage, IsNinetyFivePercent) {
+  const auto& [experiment, least] = GetParam();
+  const std::map<std::string, double> inside = coverage(experiment);
+  EXPECT_EQ(inside.size(), experiment.replicas < 3 ? 4U : 8U);
+  for (const auto& [metric, share] : inside) {
+    EXPECT_GE(share, least) << metric;
+    // What noise makes larger may be smaller by all of it: these intervals hold the truth more often.
+    const bool held_low = metric == "max" || metric.find("mape") != std::string::npos;
+    EXPECT_LE(share, held_low ? 1.0 : 0.998) << metric;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, IntervalCoverage,
-                         testing::Values(Case{8, 0.2F, 0.05F}, Case{8, 0.05F, 0.1F}, Case{16, 0.1F, 0.2F}, Case{9, 0.1F, 0.1F},
-                                         Case{4, 0.1F, 0.05F}, Case{2, 0.1F, 0.05F}, Case{3, 0.1F, 0.05F}));
-
-TEST(Intervals, CoverageOfTheOtherMetrics) {
-  const Values truth = truth_values(40), values = method_values(truth, 0.2F);
-  for (const char* metric : {"bias", "rel_mse(0.01)", "mape(0.01)", "smape(0.02)"}) {
-    const double inside = coverage(metric, truth, values, 8, 0.02F, Noise::normal).inside;
-    EXPECT_GE(inside, 0.93) << metric;
-    EXPECT_LE(inside, 0.97) << metric;
-  }
-}
-
-TEST(Intervals, CoverageHoldsForSkewedNoise) {
-  const Values truth = truth_values(200), values = method_values(truth, 0.1F);
-  for (const char* metric : {"rmse", "bias"}) {
-    const double inside = coverage(metric, truth, values, 8, 0.3F, Noise::skewed).inside;
-    EXPECT_GE(inside, 0.93) << metric;
-    EXPECT_LE(inside, 0.97) << metric;
-  }
-}
+// Of 2000 experiments a share of 95% is known to 0.5%. Student's interval is for normal estimates; of 40 points, of skewed noise
+// and of fireflies it misses a little more often.
+INSTANTIATE_TEST_SUITE_P(
+    Cases, IntervalCoverage,
+    testing::Values(ExpectedCoverage{{{0.2F}, 40, 8, 0.05F}, 0.93}, ExpectedCoverage{{{0.2F}, 400, 8, 0.05F}, 0.94},
+                    ExpectedCoverage{{{0.05F}, 100, 8, 0.1F}, 0.94}, ExpectedCoverage{{{0.1F}, 100, 16, 0.2F}, 0.93},
+                    ExpectedCoverage{{{0.1F}, 100, 9, 0.1F}, 0.93}, ExpectedCoverage{{{0.1F}, 100, 4, 0.05F}, 0.93},
+                    ExpectedCoverage{{{0.1F}, 100, 2, 0.05F}, 0.93}, ExpectedCoverage{{{0.1F}, 100, 3, 0.05F}, 0.93},
+                    ExpectedCoverage{{{0.0F}, 100, 8, 0.1F}, 0.94}, ExpectedCoverage{{{0.1F}, 200, 8, 0.3F, Noise::skewed}, 0.91},
+                    ExpectedCoverage{{{0.1F}, 400, 8, 0.2F, Noise::fireflies}, 0.91},
+                    // Six fireflies in all: how far the other points are too dark is not seen from so few, and mape of no error
+                    // at all is held in 73%; every other metric is in 94% at least.
+                    ExpectedCoverage{{{0.0F}, 400, 8, 0.2F, Noise::fireflies}, 0.70}));
 
 TEST(Intervals, TheReferencesNoiseDoesNotCountAgainstTheMethod) {
-  const Values truth = truth_values(40), values = method_values(truth, 0.1F);
+  const Field field{0.1F};
+  const auto [truth, values] = Compared(field, 40, [](std::size_t i) { return static_cast<float>(i) / 40.0F; });
   const double exact = mean_squared_error(values, ReferenceMeans::exact(truth)).value;
   double mean = 0.0, against_mean = 0.0;
   for (int e = 0; e < experiments; ++e) {
     const Replicas reference = test::noisy_replicas(truth, 8, 0.2F, static_cast<std::uint64_t>(e) + 1);
     const Values r = reference.mean(), a = reference.half(0), b = reference.half(1);
-    mean += mean_squared_error(values, {r, a, b}).value / experiments;
+    mean += mean_squared_error(values, {r, a, b, {r, r, r}}).value / experiments;
     against_mean += mean_squared_error(values, ReferenceMeans::exact(r)).value / experiments;
   }
   EXPECT_NEAR(mean, exact, 0.01 * exact);
   EXPECT_NEAR(against_mean, exact + 0.2 * 0.2 / 8.0, 0.02 * exact) << "the plain square has the noise in it";
 }
 
-TEST(Intervals, AnErrorBelowTheNoiseIsFlagged) {
-  const Values truth = truth_values(400);
-  const Replicas reference = test::noisy_replicas(truth, 8, 0.2F, 3);
-  const ErrorTable without_error = value_errors(truth, reference),
-                   with_error = value_errors(method_values(truth, 0.5F), reference);
-  for (const char* metric : {"rmse", "relative_rmse", "rel_mse(0.01)", "rel_mse_trim(0.1%)"}) {
-    EXPECT_TRUE(without_error.at(metric).below_noise_floor) << metric;
-    EXPECT_FALSE(with_error.at(metric).below_noise_floor) << metric;
+/// Where a weight held the noise of the error, values whose noise is downwards would count more: with errors of nothing but
+/// noise, x = μ, the estimate would not have the mean 0.
+TEST(Intervals, WeightsDoNotShareTheNoiseOfTheError) {
+  const Field field{0.0F};
+  const auto [truth, values] = Compared(field, 60, [](std::size_t i) { return static_cast<float>(i) / 60.0F; });
+  double sum = 0.0, squares = 0.0, shared = 0.0;
+  for (int e = 0; e < experiments; ++e) {
+    const Replicas reference = test::noisy_replicas(truth, 9, 0.6F, static_cast<std::uint64_t>(e) + 1);
+    const Values mean = reference.mean(), a = reference.half(0), b = reference.half(1);
+    const Values thirds[3] = {reference.third(0), reference.third(1), reference.third(2)};
+    const double estimate = relative_squared_error(values, {mean, a, b, {thirds[0], thirds[1], thirds[2]}})->value;
+    sum += estimate, squares += estimate * estimate;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        const double x = values[i][c], r = mean[i][c];
+        shared += (x - a[i][c]) * (x - b[i][c]) / (r * r + 0.01) / (3.0 * static_cast<double>(truth.size()));
+      }
   }
-  // Standard deviation of the mean of 8 replicates; 1200 numbers know it to 2%.
-  EXPECT_NEAR(without_error.at("rmse").noise_floor.value(), 0.2 / std::sqrt(8.0), 0.05 * 0.2 / std::sqrt(8.0));
-  EXPECT_LE(without_error.at("mape(0.01)").low, 0.3 * without_error.at("mape(0.01)").value) << "noise alone may have made it";
+  const double mean = sum / experiments;
+  const double error = std::sqrt((squares / experiments - mean * mean) / experiments);
+  EXPECT_NEAR(mean, 0.0, 4.0 * error);
+  EXPECT_GT(std::abs(shared / experiments), 4.0 * error) << "the plain weights are seen to be biased by as much noise";
+}
+
+TEST(Intervals, AnErrorFarBelowTheFloorIsResolvedWhereTheIntervalLeavesOutZero) {
+  const auto places = [](std::size_t i) { return static_cast<float>(i) / 20000.0F; };
+  const Compared wrong(Field{0.04F}, 20000, places), right(Field{0.0F}, 20000, places);
+  const Replicas reference = test::noisy_replicas(wrong.truth, 8, 0.2F, 3);
+  const ErrorTable with_error = value_errors(wrong.values, reference), without_error = value_errors(right.values, reference);
+  for (const char* metric : {"rmse", "relative_rmse", "rel_mse(0.01)", "rel_mse_trim(0.1%)"}) {
+    EXPECT_LT(with_error.at(metric).value, 0.6 * with_error.at(metric).noise_floor.value()) << metric;
+    EXPECT_TRUE(with_error.at(metric).resolved) << metric;
+    EXPECT_FALSE(without_error.at(metric).resolved) << metric;
+  }
+  EXPECT_TRUE(with_error.at("bias").resolved);
+  EXPECT_FALSE(without_error.at("bias").resolved);
+  // Standard deviation of the mean of 8 replicates; 60 000 numbers know it to 0.3%.
+  EXPECT_NEAR(without_error.at("rmse").noise_floor.value(), 0.2 / std::sqrt(8.0), 0.015 * 0.2 / std::sqrt(8.0));
+  EXPECT_FALSE(without_error.at("mape(0.01)").resolved) << "noise alone may have made it";
 }
 
 }  // namespace

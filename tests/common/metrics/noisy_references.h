@@ -40,4 +40,19 @@ inline Replicas skewed_replicas(const std::vector<Rgb>& truth, std::size_t count
   return set;
 }
 
+/// truth × (1 + noise of mean 0): one value in 500 is a firefly of fifty times the truth, on top of normal noise of this size.
+inline Replicas replicas_with_fireflies(const std::vector<Rgb>& truth, std::size_t count, float sigma, std::uint64_t seed) {
+  constexpr double rate = 0.002;
+  constexpr float height = 50.0F;
+  Replicas set = noisy_replicas(truth, count, sigma, seed);
+  for (std::size_t r = 0; r < count; ++r) {
+    RandomStream random(seed, 13, r);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const bool firefly = random.next_double() < rate;
+      set.replicas[r][i] += truth[i] * (firefly ? height : -height * static_cast<float>(rate / (1.0 - rate)));
+    }
+  }
+  return set;
+}
+
 }  // namespace gibench::test

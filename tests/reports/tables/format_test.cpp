@@ -43,12 +43,16 @@ TEST(Format, ExactReadsBackTheSame) {
   for (const double value : {0.1, 1.0 / 3.0, 6.02e23, -1e-310}) EXPECT_EQ(std::strtod(exact(value).c_str(), nullptr), value);
 }
 
-TEST(Format, ErrorWithIntervalAndBelowTheFloor) {
+TEST(Format, ErrorWithIntervalAndNotResolved) {
   const Metric percent = metric_info("relative_rmse"), plain = metric_info("flip");
   EXPECT_EQ(error_text(percent, {.value = 0.0231, .low = 0.022, .high = 0.0243, .noise_floor = 0.001}), "2.31 % [2.20, 2.43]");
   EXPECT_EQ(error_text(plain, {.value = 0.0231, .low = {}, .high = {}, .noise_floor = {}}), "0.0231");
-  EXPECT_EQ(error_text(percent, {.value = 0.0004, .low = 0.0, .high = 0.002, .noise_floor = 0.004, .below_noise_floor = true}),
-            "≤ 0.400 %");
+  EXPECT_EQ(error_text(percent, {.value = 0.0004, .low = 0.0, .high = 0.002, .noise_floor = 0.004, .resolved = false}),
+            "≤ 0.200 %");
+  EXPECT_EQ(error_text(metric_info("bias"), {.value = 0.01, .low = -0.04, .high = 0.02, .noise_floor = 0.01, .resolved = false}),
+            "≤ 4.00 %");
+  EXPECT_EQ(error_text(metric_info("psnr"), {.value = 50.0, .low = 45.0, .high = 99.0, .noise_floor = 52.0, .resolved = false}),
+            "≥ 45.0");
 }
 
 TEST(MetricInfo, DrawnAndRankedValues) {

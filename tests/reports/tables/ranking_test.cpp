@@ -60,11 +60,11 @@ TEST(BaselineCurve, SaysNothingWithoutPointsOrSlope) {
   EXPECT_FALSE(BaselineCurve({{1.0, 0.0}, {0.0, 0.1}}, -0.5).seconds_at(0.1));
 }
 
-TEST(SpeedUp, BelowTheNoiseFloorIsALowerBound) {
+TEST(SpeedUp, OfAnErrorThatIsNotResolvedIsALowerBound) {
   const BaselineCurve curve({{1.0, 0.2}, {4.0, 0.1}}, -0.5);
   StudyRun run = run_of("a", "m", "m", 1.0, 1e-6);
-  run.errors[key].below_noise_floor = true;
-  run.errors[key].noise_floor = 0.05;
+  run.errors[key].resolved = false;
+  run.errors[key].low = 0.0, run.errors[key].high = 0.05;
   const auto speed = speed_up(curve, run, key);
   EXPECT_NEAR(speed->factor, 16.0, 1e-9);
   EXPECT_TRUE(speed->at_least);

@@ -164,7 +164,7 @@ TEST_F(StudyFixture, SceneTableShowsADashForWhatWasNotMeasured) {
   EXPECT_EQ(table.rows[0][7].text, "–");  // the path tracer prepares nothing
   EXPECT_EQ(table.rows[0][7].raw, "");
   EXPECT_EQ(table.rows[4][5].text, "40.0×");
-  EXPECT_EQ(table.rows[8][3].text, "≤ 0.400 %");
+  EXPECT_EQ(table.rows[8][3].text, "≤ 0.212 %");
   EXPECT_THAT(table.rows[8][5].text, HasSubstr("≥ "));
 }
 
