@@ -55,10 +55,9 @@ CoincidenceCounts count_coincidences(std::span<const CoplanarPair> pairs) {
 }
 
 CoincidentFaces::CoincidentFaces(const Scene& scene, std::span<const Vec3> normals, std::span<const CoplanarPair> pairs)
-    : scene_(scene) {
+    : scene_(scene), normals_(normals) {
   if (pairs.empty()) return;
   const std::size_t count = scene.triangles.size();
-  normals_.assign(normals.begin(), normals.end());
   first_.assign(count + 1, 0);
   for (const CoplanarPair& pair : pairs) ++first_[pair.a + 1], ++first_[pair.b + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
@@ -67,11 +66,6 @@ CoincidentFaces::CoincidentFaces(const Scene& scene, std::span<const Vec3> norma
   for (const CoplanarPair& pair : pairs) partners_[next[pair.a]++] = pair.b, partners_[next[pair.b]++] = pair.a;
   rank_objects();
   find_hidden(pairs);
-}
-
-std::span<const std::uint32_t> CoincidentFaces::partners(std::uint32_t triangle) const {
-  if (empty()) return {};
-  return std::span(partners_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
 }
 
 void CoincidentFaces::rank_objects() {
@@ -107,8 +101,7 @@ bool CoincidentFaces::precedes(std::uint32_t a, std::uint32_t b, const Vec3& dir
   return order(a) < order(b);
 }
 
-Hit CoincidentFaces::in_front(const Hit& hit, const Vec3& direction) const {
-  if (!hit || !has_partners(hit.triangle)) return hit;
+Hit CoincidentFaces::settled(const Hit& hit, const Vec3& direction) const {
   Hit best = hit;
   const Vec3d point = position(scene_, hit);
   for (const std::uint32_t partner : partners(hit.triangle)) {

@@ -27,30 +27,36 @@ CoincidenceCounts count_coincidences(std::span<const CoplanarPair> pairs);
 /// on a floor); then by the objects' names. Immutable, shared by all threads.
 class CoincidentFaces {
  public:
-  /// `pairs` are those of the scene's triangles; `normals` one for each triangle. The scene must outlive this.
+  /// `pairs` are those of the scene's triangles; `normals` one for each triangle. Scene and normals must outlive this.
   CoincidentFaces(const Scene& scene, std::span<const Vec3> normals, std::span<const CoplanarPair> pairs);
 
   bool empty() const { return partners_.empty(); }
   /// Whether another triangle lies over any part of this.
   bool has_partners(std::uint32_t triangle) const { return !empty() && first_[triangle] != first_[triangle + 1]; }
-  std::span<const std::uint32_t> partners(std::uint32_t triangle) const;
   /// A twin of the same winding is in front of all of it, whatever side it is seen from: it counts no area.
   bool is_hidden(std::uint32_t triangle) const { return !empty() && hidden_[triangle] != 0; }
 
   /// What a ray of this direction meets where it meets `hit`.
-  Hit in_front(const Hit& hit, const Vec3& direction) const;
+  Hit in_front(const Hit& hit, const Vec3& direction) const {
+    return hit && has_partners(hit.triangle) ? settled(hit, direction) : hit;
+  }
   /// Whether a ray of this direction that meets this point of the triangle meets the triangle.
   bool shows(std::uint32_t triangle, float u, float v, const Vec3& direction) const {
-    return !has_partners(triangle) || in_front({triangle, u, v, 0.0F}, direction).triangle == triangle;
+    return in_front({triangle, u, v, 0.0F}, direction).triangle == triangle;
   }
 
  private:
+  Hit settled(const Hit& hit, const Vec3& direction) const;
+  std::span<const std::uint32_t> partners(std::uint32_t triangle) const {
+    return std::span(partners_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
+  }
   bool precedes(std::uint32_t a, std::uint32_t b, const Vec3& direction) const;
   void rank_objects();
   void find_hidden(std::span<const CoplanarPair> pairs);
 
   const Scene& scene_;
-  std::vector<Vec3> normals_;            ///< all of this is empty where nothing coincides
+  std::span<const Vec3> normals_;
+  // All of these are empty where nothing coincides.
   std::vector<std::uint32_t> first_;     ///< of a triangle's partners; one more than triangles
   std::vector<std::uint32_t> partners_;  ///< ascending in each run
   std::vector<std::uint8_t> hidden_;     ///< one for each triangle

@@ -10,7 +10,6 @@ void CoincidentRays::do_closest_hits(std::span<const Ray> rays, std::span<Hit> h
 void CoincidentRays::do_fan_hits(const RayFan& fan, const FanHits& hits) const {
   rays_.closest_hits(fan, hits);
   for (std::size_t i = 0; i < hits.triangle.size(); ++i) {
-    if (hits.triangle[i] == Hit::none || !faces_.has_partners(hits.triangle[i])) continue;
     const Hit hit = faces_.in_front({hits.triangle[i], hits.u[i], hits.v[i], 0.0F}, {fan.x[i], fan.y[i], fan.z[i]});
     hits.triangle[i] = hit.triangle, hits.u[i] = hit.u, hits.v[i] = hit.v;
   }

@@ -1,6 +1,5 @@
 #include "common/ray/world.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "common/ray/coincident_rays.h"
@@ -61,9 +60,7 @@ SurfaceSample World::sample_at(std::uint32_t triangle, Vec2 barycentrics, const 
 }
 
 float World::offset(const SurfaceSample& sample) const {
-  float extent = geometry_->extent(sample.triangle);
-  for (const std::uint32_t partner : coincident_.partners(sample.triangle)) extent = std::max(extent, geometry_->extent(partner));
-  return ray_offset(max_abs(sample.position), extent);
+  return ray_offset(max_abs(sample.position), geometry_->extent(sample.triangle));
 }
 
 Ray World::segment(const SurfaceSample& from, const SurfaceSample& to) const {

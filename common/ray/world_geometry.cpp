@@ -37,6 +37,11 @@ WorldGeometry::WorldGeometry(const Scene& scene, std::unique_ptr<const RayBacken
     extents_[i] = std::max(max_abs(Vec3(first)), max_abs(Vec3(second)));
     total_area_ += 0.5 * length;
   }
+  const std::vector<float> own = extents_;
+  for (const CoplanarPair& pair : coplanar_) {
+    extents_[pair.a] = std::max(extents_[pair.a], own[pair.b]);
+    extents_[pair.b] = std::max(extents_[pair.b], own[pair.a]);
+  }
 }
 
 bool have_same_shape(const Scene& a, const Scene& b) {

@@ -24,9 +24,11 @@ class WorldGeometry {
   /// Unit front normal; zero for a degenerate triangle.
   const Vec3& normal(std::uint32_t triangle) const { return normals_[triangle]; }
   std::span<const Vec3> normals() const { return normals_; }
-  float area(std::uint32_t triangle) const { return areas_[triangle]; }      ///< m², one side
-  float extent(std::uint32_t triangle) const { return extents_[triangle]; }  ///< metres, the largest of its edges' coordinates
-  double total_area() const { return total_area_; }                          ///< m², one side of every triangle
+  float area(std::uint32_t triangle) const { return areas_[triangle]; }  ///< m², one side
+  float extent(std::uint32_t triangle) const {
+    return extents_[triangle];
+  }  ///< metres, the largest coordinate of its edges and of those of triangles that overlap it in its plane
+  double total_area() const { return total_area_; }  ///< m², one side of every triangle
   std::span<const CoplanarPair> coplanar() const { return coplanar_; }
   const Vec3& bounds_min() const { return bounds_min_; }
   const Vec3& bounds_max() const { return bounds_max_; }
