@@ -42,15 +42,10 @@ struct HalvedReference {
   }
   ReferenceMeans means() const { return {mean, half_a, half_b, {thirds[0], thirds[1], thirds[2]}}; }
 
-  Interval interval(const MetricEstimate& estimate) const {
-    return interval_over_points(estimate.value, slope_influences(estimate.slope, replicas, mean), estimate.parts);
+  std::vector<double> influences(const MetricEstimate& estimate) const {
+    return slope_influences(estimate.slope, replicas, mean);
   }
 };
-
-/// What a metric gives for values whose only error is noise.
-double floor_of(const ValueMetric& metric, const HalvedReference& reference, std::span<const Rgb> noisy) {
-  return metric.estimate(noisy, ReferenceMeans::exact(reference.mean)).value().value;
-}
 
 /// Of the noise: at least its mean absolute value, by which |x−r| is too large at most. Where few values hold most of the noise,
 /// as with fireflies, the halves' difference shows the former far better than the latter.
@@ -71,22 +66,20 @@ ErrorValue root(const ErrorValue& square) {
           square.resolved};
 }
 
-ErrorValue signed_error(const HalvedReference& reference, const MetricEstimate& estimate) {
-  const Interval interval = reference.interval(estimate);
-  const double floor = standard_error(slope_influences(estimate.slope, reference.replicas, reference.mean));
-  return {estimate.value, interval.low, interval.high, floor, interval.low > 0.0 || interval.high < 0.0};
-}
-
 ErrorValue error_of(const ValueMetric& metric, const MetricEstimate& estimate, const HalvedReference& reference) {
-  if (metric.taken == Taken::with_sign) return signed_error(reference, estimate);
-  Interval interval = reference.interval(estimate);
+  const std::vector<double> influences = reference.influences(estimate);
+  Interval interval = interval_over_points(estimate.value, influences, estimate.parts);
+  if (metric.taken == Taken::with_sign)
+    return {estimate.value, interval.low, interval.high, standard_error(influences), interval.low > 0.0 || interval.high < 0.0};
+  // What the metric gives for values whose only error is noise.
   const bool of_two_thirds = metric.taken == Taken::against_two_thirds;
-  const double floor = floor_of(metric, reference, of_two_thirds ? reference.noisier : reference.noisy);
+  const auto noise = metric.estimate(of_two_thirds ? reference.noisier : reference.noisy, ReferenceMeans::exact(reference.mean));
+  const double floor = noise.value().value;
   switch (metric.taken) {
     case Taken::as_square: return positive(estimate.value, interval, floor);
     case Taken::as_root_of_square: return root(positive(estimate.value, interval, floor));
     case Taken::against_two_thirds:
-      interval.low -= root_mean_square(metric.estimate(reference.noisier, ReferenceMeans::exact(reference.mean))->parts);
+      interval.low -= root_mean_square(noise->parts);
       return positive(estimate.value, interval, floor);
     case Taken::as_largest:
       // The maximum picks the value whose noise is largest: it may be too large by all of the largest noise.

@@ -92,18 +92,35 @@ double mean_of(std::span<const Rgb> values) {
 
 double sign_of(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
-/// The mean of a metric whose weights have a constant c that moves by `slope_of_constant` with M: every r moves M.
-template <class TermOf>
-MetricEstimate weighted_mean(std::span<const Rgb> values, const ReferenceMeans& reference, double mean, double slope_of_constant,
-                             const TermOf& term_of) {
-  Summed summed = sum_terms(values, reference, term_of);
-  MetricEstimate& estimate = summed.estimate;
-  const double by_mean = summed.by_constant * slope_of_constant;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    estimate.slope[i] += Rgb(static_cast<float>(by_mean));
-    estimate.parts[i] += by_mean * (mean_of({&reference.mean[i], 1}) - mean);
+/// Adds how the estimate moves with M, of which each r is a part.
+void add_slope_of_mean(MetricEstimate& estimate, std::span<const Rgb> reference_mean, double mean, double by_mean) {
+  const Rgb shift(static_cast<float>(by_mean));
+  for (std::size_t i = 0; i < reference_mean.size(); ++i) {
+    estimate.slope[i] += shift;
+    estimate.parts[i] += by_mean * (mean_of(reference_mean.subspan(i, 1)) - mean);
   }
-  return std::move(estimate);
+}
+
+/// The constant of a weight, a share of M or of M².
+struct Constant {
+  double share;
+  bool of_square;
+
+  double value(double mean) const { return of_square ? share * mean * mean : share * mean; }
+  double slope(double mean) const { return of_square ? 2.0 * share * mean : share; }  ///< by M
+};
+
+/// The mean of term(i, compared, the constant's value). Empty where the weights have no replicates of their own.
+template <class TermOf>
+std::optional<MetricEstimate> weighted_mean(std::span<const Rgb> values, const ReferenceMeans& reference,
+                                            const Constant& constant, const TermOf& term_of) {
+  check_sizes(values, reference);
+  const double mean = mean_of(reference.mean);
+  if (!has_weights(reference, mean)) return std::nullopt;
+  const double c = constant.value(mean);
+  Summed summed = sum_terms(values, reference, [&](std::size_t i, const Compared& at) { return term_of(i, at, c); });
+  add_slope_of_mean(summed.estimate, reference.mean, mean, summed.by_constant * constant.slope(mean));
+  return std::move(summed.estimate);
 }
 
 /// (x−A)(x−B) / (C² + constant) over the three ways to take the thirds; the slope is that at the mean.
@@ -133,6 +150,8 @@ Term relative_absolute_term(const Compared& at, double base, double constant) {
   term.slope = sign_of(at.r - at.x) * weight - std::abs(at.x - at.r) * sign_of(at.r) * weight * weight;
   return term;
 }
+
+constexpr Constant of_squared_errors{.share = 0.01, .of_square = true};
 
 /// 1 for every value that the trimming keeps.
 std::vector<std::uint8_t> kept_by_trimming(std::span<const Rgb> values, std::span<const Rgb> mean, double constant) {
@@ -170,15 +189,13 @@ MetricEstimate mean_squared_error(std::span<const Rgb> values, const ReferenceMe
 }
 
 std::optional<MetricEstimate> relative_mean_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  const double mean = mean_of(reference.mean);
+  const double mean = mean_of(reference.mean), squared = mean * mean;
   if (!(mean > 0.0)) return std::nullopt;
   MetricEstimate estimate = mean_squared_error(values, reference);
-  const double squared = mean * mean, by_mean = -2.0 * estimate.value / (squared * mean);
-  const auto scale = static_cast<float>(1.0 / squared), shift = static_cast<float>(by_mean);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    estimate.slope[i] = scale * estimate.slope[i] + Rgb(shift);
-    estimate.parts[i] = estimate.parts[i] / squared + by_mean * (mean_of({&reference.mean[i], 1}) - mean);
-  }
+  const auto scale = static_cast<float>(1.0 / squared);
+  for (Rgb& slope : estimate.slope) slope = scale * slope;
+  for (double& part : estimate.parts) part /= squared;
+  add_slope_of_mean(estimate, reference.mean, mean, -2.0 * estimate.value / (squared * mean));
   estimate.value /= squared;
   return estimate;
 }
@@ -187,29 +204,24 @@ std::optional<MetricEstimate> relative_bias(std::span<const Rgb> values, const R
   check_sizes(values, reference);
   const double mean = mean_of(reference.mean), of_values = mean_of(values);
   if (!(mean > 0.0)) return std::nullopt;
-  const double by_mean = -of_values / (mean * mean);
-  MetricEstimate estimate{(of_values - mean) / mean, std::vector<Rgb>(values.size(), Rgb(static_cast<float>(by_mean))),
-                          std::vector<double>(values.size())};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    estimate.parts[i] = mean_of(values.subspan(i, 1)) / mean - 1.0 + by_mean * (mean_of({&reference.mean[i], 1}) - mean);
+  MetricEstimate estimate{(of_values - mean) / mean, std::vector<Rgb>(values.size()), std::vector<double>(values.size())};
+  for (std::size_t i = 0; i < values.size(); ++i) estimate.parts[i] = mean_of(values.subspan(i, 1)) / mean - 1.0;
+  add_slope_of_mean(estimate, reference.mean, mean, -of_values / (mean * mean));
   return estimate;
 }
 
 std::optional<MetricEstimate> relative_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  check_sizes(values, reference);
-  const double mean = mean_of(reference.mean), constant = 0.01 * mean * mean;
-  if (!has_weights(reference, mean)) return std::nullopt;
-  return weighted_mean(values, reference, mean, 0.02 * mean,
-                       [&](std::size_t, const Compared& at) { return relative_squared_term(at, constant); });
+  return weighted_mean(values, reference, of_squared_errors,
+                       [](std::size_t, const Compared& at, double constant) { return relative_squared_term(at, constant); });
 }
 
 std::optional<MetricEstimate> trimmed_relative_squared_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  check_sizes(values, reference);
-  const double mean = mean_of(reference.mean), constant = 0.01 * mean * mean;
+  const double mean = mean_of(reference.mean);
   if (!has_weights(reference, mean)) return std::nullopt;
-  const std::vector<std::uint8_t> kept = kept_by_trimming(values, reference.mean, constant);
+  check_sizes(values, reference);
+  const std::vector<std::uint8_t> kept = kept_by_trimming(values, reference.mean, of_squared_errors.value(mean));
   const double share = static_cast<double>(values.size() - values.size() / 1000) / static_cast<double>(values.size());
-  return weighted_mean(values, reference, mean, 0.02 * mean, [&](std::size_t i, const Compared& at) {
+  return weighted_mean(values, reference, of_squared_errors, [&](std::size_t i, const Compared& at, double constant) {
     if (kept[i] == 0) return Term{0.0, 0.0};
     const Term term = relative_squared_term(at, constant);
     return Term{term.value / share, term.slope / share, term.by_constant / share};
@@ -217,22 +229,18 @@ std::optional<MetricEstimate> trimmed_relative_squared_error(std::span<const Rgb
 }
 
 std::optional<MetricEstimate> mean_absolute_percentage_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
-  check_sizes(values, reference);
-  const double mean = mean_of(reference.mean);
-  if (!has_weights(reference, mean)) return std::nullopt;
-  return weighted_mean(values, reference, mean, 0.01,
-                       [&](std::size_t, const Compared& at) { return relative_absolute_term(at, 0.0, 0.01 * mean); });
+  return weighted_mean(
+      values, reference, {.share = 0.01, .of_square = false},
+      [](std::size_t, const Compared& at, double constant) { return relative_absolute_term(at, 0.0, constant); });
 }
 
 std::optional<MetricEstimate> symmetric_mean_absolute_percentage_error(std::span<const Rgb> values,
                                                                        const ReferenceMeans& reference) {
-  check_sizes(values, reference);
-  const double mean = mean_of(reference.mean);
-  if (!has_weights(reference, mean)) return std::nullopt;
-  return weighted_mean(values, reference, mean, 0.02, [&](std::size_t, const Compared& at) {
-    const Term half = relative_absolute_term(at, std::abs(at.x), 0.02 * mean);
-    return Term{2.0 * half.value, 2.0 * half.slope, 2.0 * half.by_constant};
-  });
+  return weighted_mean(values, reference, {.share = 0.02, .of_square = false},
+                       [](std::size_t, const Compared& at, double constant) {
+                         const Term half = relative_absolute_term(at, std::abs(at.x), constant);
+                         return Term{2.0 * half.value, 2.0 * half.slope, 2.0 * half.by_constant};
+                       });
 }
 
 MetricEstimate largest_error(std::span<const Rgb> values, const ReferenceMeans& reference) {
