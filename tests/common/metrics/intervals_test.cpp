@@ -87,6 +87,17 @@ TEST(Intervals, StudentsOfAMean) {
   EXPECT_NEAR(10.0 - interval.low, 3.182446305284 * std::sqrt(20.0 / 12.0), 1e-9);
 }
 
+TEST(Intervals, OverPointsAreThoseOfTheLargerVariance) {
+  const std::vector<double> few{1.0, -1.0, 3.0, -3.0}, small{0.1, -0.1, 0.1, -0.1}, parts{10.0, 12.0, 14.0, 16.0, 8.0};
+  const auto same = [](const Interval& a, const Interval& b) { return a.low == b.low && a.high == b.high; };
+  // s of the five parts is √(40 / (5 · 4)) = 1.414, of the replicates 1.291 and 0.058.
+  EXPECT_TRUE(same(interval_over_points(12.0, small, parts), student_interval(12.0, parts)));
+  EXPECT_TRUE(same(interval_over_points(12.0, few, parts), student_interval(12.0, parts)));
+  const std::vector<double> noisy{2.0, -2.0, 6.0, -6.0};  // 2.582
+  EXPECT_TRUE(same(interval_over_points(12.0, noisy, parts), student_interval(12.0, noisy)));
+  EXPECT_TRUE(same(interval_over_points(12.0, few, {}), student_interval(12.0, few)));
+}
+
 TEST(Intervals, DeleteOneOfAMeanIsTheMeansInterval) {
   const std::vector<double> data{3.0, 5.0, 4.0, 9.0, 1.0};
   double sum = 0.0;
