@@ -1,13 +1,9 @@
 #!/usr/bin/env bash
 # pairs.sh must pass a house in order and fail on each breach of its rules, seeded into a scratch tree.
-set -euo pipefail
-own=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/{common,tests/style}
-cp "$own/files.sh" "$own/pairs.sh" "$tree/tests/style/"
+checked=pairs
+source "$(dirname "${BASH_SOURCE[0]}")/scratch_tree.sh"
+mkdir -p "$tree/common"
 
-check() { bash "$tree/tests/style/pairs.sh" 2>&1; }
 put() { printf '%s\n' "${@:2}" > "$tree/common/$1"; }
 fresh() {  # a.h declares, a.cpp defines; b.h stands by itself; c_schema.cpp.in is made into a source
   rm -f "$tree"/common/*
@@ -19,21 +15,7 @@ fresh() {  # a.h declares, a.cpp defines; b.h stands by itself; c_schema.cpp.in 
   put some_test.cpp 'int main() {}'
 }
 
-# breach EXPECTED: the check fails and says EXPECTED.
-breach() {
-  local said
-  if said=$(check) || [[ $said != *"$1"* ]]; then
-    printf '"%s" expected, but it said: %s\n' "$1" "$said" >&2
-    exit 1
-  fi
-  fresh
-}
-
-fresh
-if ! said=$(check); then
-  printf 'a house in order was blamed: %s\n' "$said" >&2
-  exit 1
-fi
+pass 'a house in order was'
 put d.cpp 'int lonely() { return 1; }'
 breach 'common/d.cpp: has no header of its name'
 put b.h '/// B.' '#pragma once' 'std::string' 'name_of(int);'

@@ -1,14 +1,9 @@
 #!/usr/bin/env bash
 # structure.sh must pass a house in order and fail on each breach of a rule, seeded into a scratch tree.
-set -euo pipefail
-own=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/{common/{core,ray,method},methods/{one,other},bench/{app,measure,micro,record,study},reports/tables,tests/style}
-cp "$own/files.sh" "$own/structure.sh" "$tree/tests/style/"
+checked=structure
+source "$(dirname "${BASH_SOURCE[0]}")/scratch_tree.sh"
+mkdir -p "$tree"/{common/{core,ray,method},methods/{one,other},bench/{app,measure,micro,record,study},reports/tables}
 faults=0
-
-check() { bash "$tree/tests/style/structure.sh" 2>&1; }
 
 # breach FILE EXPECTED LINE...: a file of these lines makes the check fail with EXPECTED in what it says.
 breach() {

@@ -1,14 +1,10 @@
 #!/usr/bin/env bash
 # words.sh must pass a clean text and fail on each word and phrase that it forbids, seeded into a scratch tree.
-set -euo pipefail
-own=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/{docs,tests/style}
-cp "$own/files.sh" "$own/words.sh" "$tree/tests/style/"
+checked=words
+source "$(dirname "${BASH_SOURCE[0]}")/scratch_tree.sh"
+mkdir -p "$tree/docs"
 faults=0
 
-check() { bash "$tree/tests/style/words.sh" 2>&1; }
 blame() {
   printf '%s\n' "$*" >&2
   faults=$((faults + 1))
