@@ -2,15 +2,18 @@
 set(gibench_job_mib 1536)
 
 cmake_host_system_information(RESULT gibench_memory_mib QUERY TOTAL_PHYSICAL_MEMORY)
-if(EXISTS /sys/fs/cgroup/memory.max)  # a container may have less than the machine
-  file(READ /sys/fs/cgroup/memory.max gibench_limit)
-  if(gibench_limit MATCHES "^[0-9]+")
-    math(EXPR gibench_limit "${CMAKE_MATCH_0} / 1048576")
-    if(gibench_limit LESS gibench_memory_mib)
-      set(gibench_memory_mib ${gibench_limit})
+# A container may have less than the machine: control groups of version 2, and of version 1.
+foreach(gibench_limit_file IN ITEMS /sys/fs/cgroup/memory.max /sys/fs/cgroup/memory/memory.limit_in_bytes)
+  if(EXISTS ${gibench_limit_file})
+    file(READ ${gibench_limit_file} gibench_limit)
+    if(gibench_limit MATCHES "^[0-9]+")  # not the word "max"
+      math(EXPR gibench_limit "${CMAKE_MATCH_0} / 1048576")
+      if(gibench_limit LESS gibench_memory_mib)
+        set(gibench_memory_mib ${gibench_limit})
+      endif()
     endif()
   endif()
-endif()
+endforeach()
 math(EXPR gibench_jobs "${gibench_memory_mib} / ${gibench_job_mib}")
 if(gibench_jobs LESS 1)
   set(gibench_jobs 1)

@@ -84,21 +84,26 @@ build_all() {
 usable_cores() {
   local cores quota period
   cores=$(nproc)
-  if [ -r /sys/fs/cgroup/cpu.max ]; then
+  if [ -r /sys/fs/cgroup/cpu.max ]; then  # control groups of version 2, then of version 1
     read -r quota period < /sys/fs/cgroup/cpu.max
-    if [ "$quota" != max ] && [ $((quota / period)) -lt "$cores" ]; then cores=$((quota / period)); fi
+  elif [ -r /sys/fs/cgroup/cpu/cpu.cfs_quota_us ]; then
+    quota=$(< /sys/fs/cgroup/cpu/cpu.cfs_quota_us)
+    period=$(< /sys/fs/cgroup/cpu/cpu.cfs_period_us)
   fi
+  case ${quota:-max} in max | -*) ;; *) if [ $((quota / period)) -lt "$cores" ]; then cores=$((quota / period)); fi ;; esac
   echo "$cores"
 }
 
 usable_memory_mib() {
-  local memory limit
+  local memory limit file
   memory=$(awk '/^MemAvailable:/ {print int($2 / 1024)}' /proc/meminfo)
   memory=${memory:-1024}
-  if [ -r /sys/fs/cgroup/memory.max ]; then
-    read -r limit < /sys/fs/cgroup/memory.max
-    if [ "$limit" != max ] && [ $((limit / 1048576)) -lt "$memory" ]; then memory=$((limit / 1048576)); fi
-  fi
+  for file in /sys/fs/cgroup/memory.max /sys/fs/cgroup/memory/memory.limit_in_bytes; do
+    if [ -r "$file" ]; then
+      limit=$(< "$file")
+      if [ "$limit" != max ] && [ $((limit / 1048576)) -lt "$memory" ]; then memory=$((limit / 1048576)); fi
+    fi
+  done
   echo "$memory"
 }
 
