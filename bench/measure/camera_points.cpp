@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bench/measure/cancellation.h"
 #include "common/core/error.h"
 #include "common/core/parallel.h"
 #include "common/core/random.h"
@@ -106,6 +107,7 @@ CameraPoints camera_points(const World& world, const DirectLight& light, const C
   const auto rows = static_cast<std::size_t>(camera.height);
   std::vector<CameraPoints> by_row(rows);
   parallel_chunks(threads, rows, 1, [&](const ChunkRange& range) {
+    stop_if_cancelled();
     by_row[range.begin] = trace_row(world, light, pinhole, camera.width, static_cast<int>(range.begin), rays_per_pixel);
   });
   CameraPoints points;

@@ -1,5 +1,7 @@
 #include "common/scene/scene_assembler.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 #include <utility>
@@ -11,6 +13,9 @@
 namespace gibench {
 
 namespace {
+
+// Squared lengths must fit into a float.
+constexpr double largest_extent = 1e18;  // metres
 
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
@@ -59,11 +64,25 @@ void SceneAssembler::finish_geometry(const std::string& place) {
   scene_.origin = low + 0.5 * (high - low);
   scene_.vertices.reserve(vertices_.size());
   for (const Vec3d& v : vertices_) scene_.vertices.push_back(to_local(v));
-  // Squared lengths must fit into a float.
-  constexpr double largest_extent = 1e18;
   if (!(glm::length(high - low) < largest_extent))
     throw InputError(place, "the scene is larger than 1e18 m, too large for single precision", "scale it down");
   tessellate(scene_);
+}
+
+void SceneAssembler::place_camera(Camera& camera, const Vec3d& position, const Vec3d& look_at, const std::string& place) const {
+  const Vec3d local = position - scene_.origin, view = look_at - position;
+  const double longest = std::max({std::abs(view.x), std::abs(view.y), std::abs(view.z)});
+  const Vec3d scaled = view / longest;  // squares of the smallest lengths would be 0
+  const double away = glm::length(local), distance = glm::length(scaled) * longest;
+  if (!(away < largest_extent) || !(distance < largest_extent))
+    throw InputError(place, "the camera or its view reaches farther than 1e18 m from the scene, too far for single precision",
+                     "move the camera to the scene, and look_at near it");
+  // A distance under this share of the coordinates would turn the view by more than 6e-5.
+  constexpr double least_share = 1e-3, least_distance = 1e-12;  // metres; its square must be a float
+  const bool too_near = distance < std::max(least_share * away, least_distance);
+  const Vec3d ahead = too_near ? glm::normalize(scaled) * std::max(away, 1.0) : view;
+  camera.position = Vec3(local);
+  camera.look_at = Vec3(local + ahead);
 }
 
 }  // namespace gibench

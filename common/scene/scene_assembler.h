@@ -37,6 +37,11 @@ class SceneAssembler {
   /// A point of the file in the scene's coordinates; after finish_geometry().
   Vec3 to_local(const Vec3d& point) const { return Vec3(point - scene_.origin); }
 
+  /// Sets position and look_at of a camera, both in file coordinates and apart; after finish_geometry(). Where single precision
+  /// would turn the view, because look_at is near and the scene's centre far, look_at moves away along the view. Throws
+  /// InputError at `place` for a camera too far from the scene.
+  void place_camera(Camera& camera, const Vec3d& position, const Vec3d& look_at, const std::string& place) const;
+
  private:
   Scene& scene_;
   std::vector<Vec3d> vertices_;

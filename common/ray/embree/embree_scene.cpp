@@ -1,12 +1,31 @@
 #include "common/ray/embree/embree_scene.h"
 
+#include <sys/resource.h>
 #include <tbb/task_arena.h>
 
+#include <cstdint>
+
+#include "common/core/available_memory.h"
 #include "common/core/error.h"
 
 namespace gibench {
 
+namespace {
+
+/// With less, Embree and TBB wait for ever for threads that cannot be started, or end the program.
+constexpr std::uint64_t least_address_space = std::uint64_t{1} << 30U;  // bytes
+
+void require_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_address_space) return;
+  throw WorkError("this process may take " + memory_text(static_cast<double>(limit.rlim_cur)) +
+                  " of address space, too little for rays: allow at least 1.07 GB (ulimit -v 1048576)");
+}
+
+}  // namespace
+
 EmbreeScene::EmbreeScene() {
+  require_address_space();
   // A thread count given to the device would bind the whole process while the device lives: the arena in build()
   // binds the building alone.
   device_ = rtcNewDevice(nullptr);

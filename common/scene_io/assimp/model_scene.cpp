@@ -51,8 +51,8 @@ Scene load_model_scene(const std::filesystem::path& file, const std::string& nam
     scene.lights.push_back(light.light);
   }
   for (ModelCamera& source : model.cameras) {
-    source.camera.position = assembler.to_local(source.position);
-    source.camera.look_at = assembler.to_local(source.look_at);
+    assembler.place_camera(source.camera, source.position, source.look_at,
+                           file.string() + ": camera " + in_quotes(source.camera.name));
     scene.cameras.push_back(source.camera);
   }
   scene.warnings = std::move(model.warnings);

@@ -24,8 +24,7 @@ void read_view(const json& value, const JsonPlace& place, const SceneAssembler& 
   if (glm::length(glm::cross(glm::normalize(look_at - position), up)) < smallest_sine)
     throw InputError(place["up"].text(), "up is parallel to the view",
                      "give a direction across the view, such as [0, 0, 1] where the camera looks along y");
-  camera.position = assembler.to_local(position);
-  camera.look_at = assembler.to_local(look_at);
+  assembler.place_camera(camera, position, look_at, place["position"].text());
   camera.up = Vec3(up);
 }
 

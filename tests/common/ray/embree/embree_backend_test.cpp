@@ -1,12 +1,18 @@
 #include "common/ray/embree/embree_backend.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #ifndef GIBENCH_STD_THREADS
 #include <tbb/global_control.h>
 #endif
 
 #include <memory>
+#include <string>
 
+#include "common/core/error.h"
+#include "common/ray/world.h"
 #include "common/scene/made_scenes.h"
 
 namespace gibench {
@@ -33,6 +39,30 @@ TEST(EmbreeBackend, ItsThreadsAreItsOwn) {
   EXPECT_EQ(allowed(), before) << "building with one thread must not hold back the process";
 }
 #endif
+
+/// 0 where a world is refused with the size in the message, in a process of its own that may take `bytes` of address space.
+int refusal_under(rlim_t bytes) {
+  const rlimit limit{bytes, bytes};
+  if (setrlimit(RLIMIT_AS, &limit) != 0) return 3;
+  try {
+    const World world(made::box_scene(), 1);
+  } catch (const WorkError& error) {
+    return std::string(error.what()).find("address space") != std::string::npos ? 0 : 2;
+  }
+  return 1;
+}
+
+TEST(EmbreeDevice, TooLittleAddressSpaceIsRefusedAtOnce) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers take terabytes of address space";
+#endif
+  const pid_t child = fork();
+  if (child == 0) _exit(refusal_under(rlim_t{300} << 20U));
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
 
 }  // namespace
 }  // namespace gibench

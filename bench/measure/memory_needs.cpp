@@ -1,0 +1,49 @@
+#include "bench/measure/memory_needs.h"
+
+#include <fmt/format.h>
+
+#include "common/core/available_memory.h"
+#include "common/core/error.h"
+#include "common/core/rgb.h"
+#include "common/ray/world.h"
+
+namespace gibench {
+
+namespace {
+
+// Direct and indirect light, their variance, and a copy of each while errors are taken.
+constexpr double bytes_of_answer = 6.0 * sizeof(Rgb);
+// Direct and indirect light in eight replicates.
+constexpr double bytes_of_reference = 16.0 * sizeof(Rgb);
+
+}  // namespace
+
+MemoryNeeds memory_needs(const ReferenceQuestion& question) {
+  MemoryNeeds needs;
+  needs.surface =
+      static_cast<double>(question.surface_samples) * (sizeof(SurfaceSample) + bytes_of_answer + bytes_of_reference);
+  if (const auto& camera = question.camera) {
+    const double pixels = static_cast<double>(camera->width) * camera->height;
+    // Twice: rows of camera points are joined.
+    const double bytes_of_ray = 2.0 * (sizeof(SurfaceSample) + sizeof(Vec3) + sizeof(std::uint32_t)) + bytes_of_answer;
+    needs.image = pixels * (question.pixel_samples * bytes_of_ray + bytes_of_answer + bytes_of_reference);
+  }
+  return needs;
+}
+
+void require_memory(const ReferenceQuestion& question, std::uint64_t available) {
+  const MemoryNeeds needs = memory_needs(question);
+  if (!(needs.surface + needs.image > static_cast<double>(available))) return;
+  const bool by_surface = needs.surface > needs.image;
+  const double share = static_cast<double>(available) / (needs.surface + needs.image);
+  throw InputError(by_surface ? "--surface-samples" : "--width",
+                   by_surface ? fmt::format("{} samples and their values take {}, of {} that are free", question.surface_samples,
+                                            memory_text(needs.surface), memory_text(static_cast<double>(available)))
+                              : fmt::format("pictures of {} x {} pixels with {} camera rays each take {}, of {} that are free",
+                                            question.camera->width, question.camera->height, question.pixel_samples,
+                                            memory_text(needs.image), memory_text(static_cast<double>(available))),
+                   by_surface ? fmt::format("ask for fewer than {:.0f}", share * static_cast<double>(question.surface_samples))
+                              : "make the picture smaller, or give a smaller --pixel-samples");
+}
+
+}  // namespace gibench

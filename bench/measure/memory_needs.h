@@ -1,0 +1,20 @@
+/// The memory that a question's points and values take, held against what there is before any work begins.
+#pragma once
+
+#include <cstdint>
+
+#include "common/reference/reference.h"
+
+namespace gibench {
+
+/// Bytes of the points, of a method's answers there, and of a reference of eight replicates.
+struct MemoryNeeds {
+  double surface = 0.0, image = 0.0;
+};
+MemoryNeeds memory_needs(const ReferenceQuestion& question);
+
+/// Throws InputError that names --surface-samples, or --width and --pixel-samples, where the larger of both needs does not fit into
+/// `available` bytes.
+void require_memory(const ReferenceQuestion& question, std::uint64_t available);
+
+}  // namespace gibench

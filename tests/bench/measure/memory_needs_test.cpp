@@ -1,0 +1,60 @@
+#include "bench/measure/memory_needs.h"
+
+#include <gmock/gmock.h>
+
+#include "bench/measure/measuring.h"
+#include "common/core/available_memory.h"
+#include "common/core/error.h"
+#include "common/scene/made_scenes.h"
+
+namespace gibench {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint64_t gigabyte = 1'000'000'000;
+
+std::string refusal(const ReferenceQuestion& question, std::uint64_t available) {
+  try {
+    require_memory(question, available);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(MemoryNeeds, UsualQuestionsFit) {
+  ReferenceQuestion question;
+  question.surface_samples = 2048;
+  question.camera = Camera{};
+  question.pixel_samples = 4;
+  EXPECT_EQ(refusal(question, gigabyte), "");
+}
+
+TEST(MemoryNeeds, TooManySurfaceSamplesAreRefusedByName) {
+  ReferenceQuestion question;
+  question.surface_samples = 100'000'000;
+  EXPECT_THAT(refusal(question, 8 * gigabyte), HasSubstr("--surface-samples"));
+  EXPECT_EQ(refusal(question, 80 * gigabyte), "");
+}
+
+TEST(MemoryNeeds, TooLargePicturesAreRefusedByName) {
+  ReferenceQuestion question;
+  question.surface_samples = 2048;
+  question.camera = Camera{};
+  question.camera->width = question.camera->height = 16384;
+  question.pixel_samples = 4;
+  EXPECT_THAT(refusal(question, 24 * gigabyte), HasSubstr("--width"));
+}
+
+TEST(MemoryNeeds, AreAskedOfBeforeTheWork) {
+  const Scene scene = made::box_scene();
+  MeasuringOptions options;
+  options.surface_samples = 100'000'000'000'000;
+  EXPECT_THROW(question_of(scene, options), InputError);
+}
+
+TEST(AvailableMemory, IsThere) { EXPECT_GT(available_memory(), 10'000'000U); }
+
+}  // namespace
+}  // namespace gibench
