@@ -79,7 +79,7 @@
     const points = [];
     let leftOut = 0;
     for (const index of scene.runs) {
-      const run = study.runs[index], error = run.errors[key], time = run.time[domain];
+      const run = study.runs[index], error = study.errors[key].runs[index], time = run.time[domain];
       if (!error || time === undefined || run.status !== "done") continue;
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
@@ -170,7 +170,7 @@
   }
 
   function rankingPlot(study, templates, key, width) {
-    const points = study.rankings[key].points.map((p) => ({ ...p, where: p.scene || "geometric mean" }));
+    const points = study.errors[key].ranking.points.map((p) => ({ ...p, where: p.scene || "geometric mean" }));
     const factorDomain = logDomain(points.map((p) => p.factor).concat([1]), 1.5);
     return fill(templates.ranking, {
       width, height: 24 * new Set(points.map((p) => p.run)).size, config: config(width), points, factorDomain, factorTicks: logTicks(factorDomain), ...styles(study, new Set(points.map((p) => p.method))),
@@ -197,7 +197,7 @@
   // Both parts of every run's error; runs whose light paths are complete have the one.
   function splitPlot(study, templates, key, width) {
     const entry = study.keys[key], metric = study.metrics[entry.metric];
-    const points = study.splits[key].points
+    const points = study.errors[key].split.points
       .filter((p) => !metric.logarithmic || p.y > 0)
       .map((p) => ({ ...p, row: `${p.scene}: ${p.run}`, low: p.low === undefined ? null : Math.max(p.low, metric.logarithmic ? p.y / 50 : -Infinity), high: p.high ?? null }));
     const values = points.flatMap((p) => [p.y, p.high ?? p.y]);

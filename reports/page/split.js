@@ -6,11 +6,11 @@
   function split(key) {
     const section = document.getElementById("split");
     const title = element("h2", { id: "split-title" }, "Where the error comes from");
-    if (key === null || study.splits[key].table.rows.length === 0) {
+    if (key === null || study.errors[key].split.table.rows.length === 0) {
       section.replaceChildren(title, element("p", {}, "No run has its error split into model error and discretisation error."));
       return;
     }
-    const { points, bounces, table: parts } = study.splits[key], entry = study.keys[key];
+    const { points, bounces, table: parts } = study.errors[key].split, entry = study.keys[key];
     const isDefault = key === 0;
     section.replaceChildren(...[title,
       element("p", { class: "lead" }, "A method that cannot simulate a kind of light path has an error that no refinement removes: its model error (◆), the difference between the reference of its own paths and that of all paths. ",
