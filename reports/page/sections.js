@@ -38,7 +38,7 @@
         "a straight line in log-log between its runs. Beyond them it is extended with the slope of Monte Carlo (marked *). An error that is not resolved counts as the upper end of its interval, which makes the factor a lower bound (≥). ",
         "Configurations with results on more scenes come first; among equals the geometric mean decides."),
       ranking.points.length
-        ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: one small mark for each scene (hollow: * or ≥), a bar for the geometric mean.`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])
+        ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: one small mark for each scene (hollow: * or ≥), a bar for the geometric mean.${plotting.rowsNote(ranking.points.map((p) => p.run))}`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])
         : element("p", { class: "note" }, "There is no speed-up to show, because the path tracer has no curve for this error."),
       table(ranking.table, { files: isDefault ? "ranking" : null, methodColumn: 1 }));
   }
@@ -52,7 +52,7 @@
     return [
       plot((width) => plotting.errorPlot(study, gibench.plots, scene, key, width), `${study.metrics[entry.metric].title} of ${entry.of} against time.`, key === first ? [`${stem}.svg`, `${stem}.pdf`] : [], note),
       ...plotting.sweeps(study, scene, key).map((sweep) => plot((width) => plotting.sweepPlot(study, gibench.plots, key, width, sweep), `${study.metrics[entry.metric].title} of ${entry.of} against ${sweep.name}.`, key === first ? [`${stem}-${sweep.name}.svg`, `${stem}-${sweep.name}.pdf`] : [])),
-      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), "Where the time goes.", [`${stages}.svg`, `${stages}.pdf`]),
+      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), `Where the time goes.${plotting.rowsNote(points.map((p) => p.index))}`, [`${stages}.svg`, `${stages}.pdf`]),
     ];
   }
 
