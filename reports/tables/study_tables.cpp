@@ -44,6 +44,14 @@ struct ErrorRow {
   const MeasuredError& error;
 };
 
+/// " (surfaces: seen)": where the scene's surface samples lie, if its records say so.
+std::string domain_phrase(const Study& study, const std::string& scene, const ErrorKey& key) {
+  if (key.domain != Domain::surface) return {};
+  for (const std::size_t run : study.runs_of(scene))
+    if (const std::string& domain = study.runs[run].surface_domain; !domain.empty()) return " (surfaces: " + domain + ")";
+  return {};
+}
+
 /// The speed-up on one scene, or how the run ended where it gave no answer.
 Cell ranked_cell(const Study& study, const RankedRun& ranked) {
   if (ranked.speed_up) return {speed_up_text(*ranked.speed_up), exact(ranked.speed_up->factor)};
@@ -92,7 +100,7 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
   std::vector<SceneRow> rows;
   for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_ups.of(study.runs[run])});
   return columns.table(scene_slug(study, scene),
-                       name + ": " + metric.title + " of " + describe(key) +
+                       name + ": " + metric.title + " of " + describe(key) + domain_phrase(study, name, key) +
                            " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors, ≥ a lower bound), "
                            "seconds, memory and rays.",
                        rows);
