@@ -16,6 +16,9 @@ const context = vm.createContext({ gibench: {} });
 for (const file of ["data/study.js", "data/plots.js", "assets/plots.js"])
   vm.runInContext(readFileSync(path.join(report, file), "utf8"), context);
 const { study, plots: templates, plotting } = context.gibench;
+const loadErrors = (key) => {
+  if (!study.errors[key]) vm.runInContext(readFileSync(path.join(report, `data/error-${key}.js`), "utf8"), context);
+};
 
 // The first metric of each domain and component.
 function plottedKeys() {
@@ -32,8 +35,9 @@ function specifications() {
   const keys = plottedKeys(), width = 620, list = [];
   if (study.relights.list.some((relight) => relight.path_tracing)) list.push(["relighting", plotting.payOffPlot(study, templates, width)]);
   if (keys.length === 0) return list;
-  if (study.rankings[0].points.length) list.push(["ranking", plotting.rankingPlot(study, templates, 0, width)]);
-  if (study.splits[0].points.length) list.push(["error-split", plotting.splitPlot(study, templates, 0, width)]);
+  for (const key of keys) loadErrors(key.index);
+  if (study.errors[0].ranking.points.length) list.push(["ranking", plotting.rankingPlot(study, templates, 0, width)]);
+  if (study.errors[0].split.points.length) list.push(["error-split", plotting.splitPlot(study, templates, 0, width)]);
   for (const scene of study.scenes) {
     for (const key of keys) {
       for (const sweep of plotting.sweeps(study, scene, key.index))

@@ -9,7 +9,7 @@
 #include "bench/measure/memory_needs.h"
 #include "common/core/available_memory.h"
 #include "common/core/error.h"
-#include "common/geometry/surface_sampling.h"
+#include "common/geometry/surface_domain.h"
 
 namespace gibench {
 
@@ -54,7 +54,8 @@ std::string path_class(std::optional<int> bounces) {
 
 ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& options) {
   ReferenceQuestion question{path_class(options.bounces), options.reference_seed, options.surface_samples,
-                             chosen_camera(scene, options), options.pixel_samples};
+                             chosen_camera(scene, options), options.pixel_samples,
+                             to_string(surface_domain_of(options.surface_domain, scene, "--surface-domain"))};
   if (!options.light_paths.empty()) question.path_class = options.light_paths;
   // An expression and a bound together are written as both.
   if (!options.light_paths.empty() && options.bounces) question.path_class += " & " + path_class(options.bounces);
@@ -69,7 +70,11 @@ ReferenceQuestion restricted_to(ReferenceQuestion question, const std::string& l
 
 MeasuringPoints measuring_points(const World& world, const ReferenceQuestion& question, int threads) {
   MeasuringPoints points;
-  points.surface = area_uniform_samples(world, question.surface_samples, question.seed);
+  const SurfaceDomain domain = surface_domain_of(question.surface_domain, world.scene(), "--surface-domain");
+  points.surface = domain_samples(world, domain, question.surface_samples, question.seed, threads);
+  if (points.surface.empty() && world.total_area() > 0.0)
+    throw InputError("--surface-domain", "no camera sees a surface that light can leave",
+                     "turn a camera to the scene, or give all or names of objects");
   if (question.camera) {
     const DirectLight light(world, Lighting::of(world.scene()));
     points.camera = camera_points(world, light, *question.camera, question.pixel_samples, question.seed, threads);

@@ -15,6 +15,7 @@ namespace gibench {
 /// What is compared: the same for every method on a scene.
 struct MeasuringOptions {
   std::size_t surface_samples = 2048;
+  std::string surface_domain;        ///< seen, all or names of objects; empty: seen where the scene has a camera, else all
   int pixel_samples = 4;             ///< camera rays per pixel, a square number
   std::string camera;                ///< name; empty: the scene's first
   std::optional<int> bounces;        ///< reflections between a light and the surface asked about; empty: all

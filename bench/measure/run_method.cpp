@@ -35,7 +35,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan,
 }
 
 MeasuredAt measured_at(const ReferenceQuestion& question) {
-  MeasuredAt at{question.surface_samples, question.seed, std::nullopt, question.pixel_samples};
+  MeasuredAt at{question.surface_samples, question.seed, std::nullopt, question.pixel_samples, question.surface_domain};
   if (question.camera) at.camera = {question.camera->name, question.camera->width, question.camera->height};
   return at;
 }

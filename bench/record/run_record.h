@@ -54,6 +54,7 @@ struct MeasuredAt {
   std::uint64_t reference_seed = 1;      ///< of the surface samples, the camera rays and the reference
   std::optional<MeasuredCamera> camera;  ///< empty: no pictures
   int pixel_samples = 0;                 ///< camera rays per pixel
+  std::string surface_domain;            ///< of the surface samples: seen, all or names of objects
 };
 
 struct RunRecord {

@@ -42,6 +42,7 @@ ordered_json question_json(const ReferenceQuestion& question) {
   ordered_json json{{"path_class", question.path_class},
                     {"seed", question.seed},
                     {"surface_samples", question.surface_samples},
+                    {"surface_domain", question.surface_domain},
                     {"pixel_samples", question.pixel_samples}};
   if (const auto& camera = question.camera)
     json["camera"] = {{"name", camera->name},

@@ -1,5 +1,7 @@
 #include "reports/collect/collect.h"
 
+#include <fmt/ranges.h>
+
 #include <set>
 
 #include "bench/record/reference_record.h"
@@ -129,6 +131,10 @@ Study collect_study(const fs::path& folder) {
   for (const StudySceneRecord& scene : record.scenes) study.scenes.push_back(scene_of(scene, study));
   for (const StudyRunRecord& run : record.runs) study.runs.push_back(run_of(run, study));
   list_missing_scenes(study);
+  if (const auto machines = study.machines(); machines.size() > 1)
+    study.warnings.push_back(fmt::format("the runs were measured on {} machines ({}): their seconds do not compare, and a speed-up "
+                                         "is told only over path tracing on a run's own machine",
+                                         machines.size(), fmt::join(machines, "; ")));
   for (const StudyRunRecord& relight : record.relights) study.relights.push_back(relight_of(relight, study));
   return study;
 }

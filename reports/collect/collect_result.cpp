@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "bench/record/run_record.h"
@@ -25,6 +27,11 @@ std::map<ErrorKey, MeasuredError> errors_of(const ComponentErrors& components) {
   return errors;
 }
 
+std::string machine_text(const Machine& machine) {
+  return fmt::format("{}, {} cores, {}, {}", machine.cpu.empty() ? "unknown processor" : machine.cpu, machine.cores,
+                     machine.compiler, machine.build);
+}
+
 /// The two parts of the errors.
 void add_split(const RunRecord& record, StudyRun& run) {
   run.light_paths = record.light_paths;
@@ -44,6 +51,8 @@ void read_result(const std::filesystem::path& file, StudyRun& run) {
   const RunRecord record = read_run_record(file);
   const Json written = to_json(record);
   if (!record.parameters.empty()) run.parameters = facts_of(to_json(record.parameters));
+  run.machine = machine_text(record.origin.machine);
+  run.surface_domain = record.measured_at.surface_domain;
   run.seed = record.seed;
   run.threads = static_cast<std::uint64_t>(record.threads);
   run.effects = record.plan;

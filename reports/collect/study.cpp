@@ -1,5 +1,7 @@
 #include "reports/collect/study.h"
 
+#include <algorithm>
+
 namespace gibench::report {
 
 namespace {
@@ -31,6 +33,13 @@ std::optional<double> StudyRun::transport_seconds(Domain domain) const {
   const auto shade = shade_seconds(domain);
   if (!shade) return std::nullopt;
   return seconds_of(Stage::prepare).value_or(0.0) + seconds_of(Stage::light).value_or(0.0) + *shade;
+}
+
+std::vector<std::string> Study::machines() const {
+  std::vector<std::string> known;
+  for (const StudyRun& run : runs)
+    if (!run.machine.empty() && std::ranges::find(known, run.machine) == known.end()) known.push_back(run.machine);
+  return known;
 }
 
 std::vector<std::size_t> Study::runs_of(const std::string& scene) const {

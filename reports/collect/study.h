@@ -51,6 +51,8 @@ struct StudyRun {
   std::optional<std::uint64_t> peak_bytes;  ///< of the whole process
 
   // From result.json.
+  std::string machine;  ///< processor, cores, compiler and build: seconds of different ones do not compare
+  std::string surface_domain;  ///< of its surface samples: seen, all or names of objects
   std::optional<std::uint64_t> seed, threads;
   std::optional<EffectPlan> effects;
   std::map<Stage, double> seconds;  ///< of those that were recorded
@@ -131,6 +133,8 @@ struct Study {
   std::vector<StudyRelight> relights;
   std::vector<std::string> warnings;  ///< what could not be read, a line each
 
+  /// Those that runs with a result were measured on, in the order of the runs.
+  std::vector<std::string> machines() const;
   /// Positions in `runs`, in the order of the manifest.
   std::vector<std::size_t> runs_of(const std::string& scene) const;
 };

@@ -37,6 +37,31 @@ gibench.definitions = function (facts) {
   return facts.flatMap(([name, value]) => [gibench.element("dt", {}, name), gibench.element("dd", {}, value === "" ? "–" : value)]);
 };
 
+// Appends make(0), make(1), … to `parent`, the first hundred at once and the rest as they are asked for: a table of 10 000 rows
+// opens as fast as one of ten. The CSV file has every row.
+gibench.inPieces = function (parent, count, make, makeMore = (button) => button) {
+  const piece = 100;
+  let shown = 0;
+  const add = (upTo) => {
+    const made = [];
+    for (; shown < Math.min(upTo, count); shown += 1) made.push(make(shown));
+    parent.append(...made);
+  };
+  add(piece);
+  if (shown >= count) return;
+  const more = gibench.element("button", { type: "button", class: "more", onclick: () => { add(shown + 10 * piece); label(); } });
+  const all = gibench.element("button", { type: "button", class: "more", onclick: () => { add(count); label(); } }, `Show all ${count}`);
+  const holder = makeMore(gibench.element("div", { class: "pieces" }, more, " ", all));
+  const label = () => {
+    if (shown >= count) holder.remove();
+    else {
+      more.textContent = `${shown} of ${count} shown: ${Math.min(10 * piece, count - shown)} more`;
+      parent.append(holder);
+    }
+  };
+  label();
+};
+
 // Calls `work` once per frame at most.
 gibench.oncePerFrame = function (work) {
   let waiting = false;

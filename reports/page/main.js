@@ -27,7 +27,7 @@
   function show() {
     sections.across(chosen);
     sections.split(chosen);
-    study.scenes.forEach((scene, index) => sections.sceneResults(scene, frames[index], chosen));
+    study.scenes.forEach((scene, index) => sections.sceneResults(scene, index, frames[index], chosen));
     document.body.dataset.key = String(chosen);
   }
 
@@ -42,6 +42,14 @@
     return tests.map(position).find((index) => index >= 0) ?? 0;
   }
 
+  // What the page shows of an error is a file of its own; a script element reads it from disk too, where fetch may not.
+  function loadErrors(key) {
+    if (study.errors[key]) return Promise.resolve();
+    return new Promise((resolve, reject) => {
+      document.head.append(element("script", { src: `data/error-${key}.js`, onload: resolve, onerror: () => reject(new Error(`data/error-${key}.js is missing`)) }));
+    });
+  }
+
   function drawChoice() {
     const target = document.getElementById("error-choice");
     if (chosen === null) return;
@@ -50,7 +58,13 @@
     const domains = unique(study.keys.map((k) => k.domain));
     const components = unique(study.keys.filter((k) => k.domain === key.domain).map((k) => k.component));
     const metrics = study.keys.filter((k) => k.domain === key.domain && k.component === key.component).map((k) => k.metric);
-    const choose = (domain, component, metric) => { chosen = keyOf(domain, component, metric); drawChoice(); show(); };
+    const choose = async (domain, component, metric) => {
+      chosen = keyOf(domain, component, metric);
+      drawChoice();
+      const wanted = chosen;
+      await loadErrors(wanted);
+      if (wanted === chosen) show();
+    };
     const focused = document.activeElement?.id;
     target.replaceChildren(
       segments("Error at", "domain", domains.map((d) => [d, d]), key.domain, (value) => choose(value, key.component, key.metric)),

@@ -79,7 +79,7 @@
     const points = [];
     let leftOut = 0;
     for (const index of scene.runs) {
-      const run = study.runs[index], error = run.errors[key], time = run.time[domain];
+      const run = study.runs[index], error = study.errors[key].runs[index], time = run.time[domain];
       if (!error || time === undefined || run.status !== "done") continue;
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
@@ -169,8 +169,19 @@
     return curves(study, templates, key, width, points, { title: sweep.name.replaceAll("_", " "), margin: 1.25, ticks, format: "~r", styles: own, legend: "Series" });
   }
 
+  // A plot of one row a run shows this many rows; the table below it has all.
+  const mostRows = 60;
+  const firstRows = (names) => new Set([...new Set(names)].slice(0, mostRows));
+
+  // What a caption adds where a plot has not all rows.
+  const rowsNote = (names) => {
+    const count = new Set(names).size;
+    return count > mostRows ? ` The first ${mostRows} of ${count} rows; the table has all.` : "";
+  };
+
   function rankingPlot(study, templates, key, width) {
-    const points = study.rankings[key].points.map((p) => ({ ...p, where: p.scene || "geometric mean" }));
+    const ranked = study.errors[key].ranking.points, rows = firstRows(ranked.map((p) => p.run));
+    const points = ranked.filter((p) => rows.has(p.run)).map((p) => ({ ...p, where: p.scene || "geometric mean" }));
     const factorDomain = logDomain(points.map((p) => p.factor).concat([1]), 1.5);
     return fill(templates.ranking, {
       width, height: 24 * new Set(points.map((p) => p.run)).size, config: config(width), points, factorDomain, factorTicks: logTicks(factorDomain), ...styles(study, new Set(points.map((p) => p.method))),
@@ -183,6 +194,7 @@
     for (const index of scene.runs) {
       const run = study.runs[index], total = run.time[domain];
       if (run.status !== "done" || !(total > 0)) continue;
+      if (totals.length === mostRows) break;
       const shade = run.seconds[`shade_${domain}`] ?? run.seconds.shade;
       [["prepare", run.seconds.prepare], ["light", run.seconds.light], ["shade", shade]].forEach(([stage, value], rank) => {
         if (value > 0) stages.push({ run: run.label, stage, rank, share: value / total, time: seconds(value) });
@@ -197,9 +209,10 @@
   // Both parts of every run's error; runs whose light paths are complete have the one.
   function splitPlot(study, templates, key, width) {
     const entry = study.keys[key], metric = study.metrics[entry.metric];
-    const points = study.splits[key].points
+    const drawn = study.errors[key].split.points
       .filter((p) => !metric.logarithmic || p.y > 0)
       .map((p) => ({ ...p, row: `${p.scene}: ${p.run}`, low: p.low === undefined ? null : Math.max(p.low, metric.logarithmic ? p.y / 50 : -Infinity), high: p.high ?? null }));
+    const rows = firstRows(drawn.map((p) => p.row)), points = drawn.filter((p) => rows.has(p.row));
     const values = points.flatMap((p) => [p.y, p.high ?? p.y]);
     // What is all but nothing stands at the left edge, and leaves the rest its room.
     const least = Math.max(...values) / 1e4;
@@ -238,5 +251,5 @@
     });
   }
 
-  gibench.plotting = { errorPlot, errorPoints, payOffPlot, rankingPlot, splitPlot, stagesPlot, sweepPlot, sweeps };
+  gibench.plotting = { errorPlot, errorPoints, payOffPlot, rankingPlot, rowsNote, splitPlot, stagesPlot, sweepPlot, sweeps };
 })(globalThis.gibench ?? (globalThis.gibench = {}));

@@ -27,18 +27,18 @@
   function across(key) {
     const section = document.getElementById("across");
     const title = element("h2", { id: "across-title" }, "Across the scenes");
-    if (key === null || study.rankings.length === 0) {
+    if (key === null) {
       section.replaceChildren(title, element("p", {}, "No run measured an error."));
       return;
     }
-    const ranking = study.rankings[key], entry = study.keys[key];
+    const ranking = study.errors[key].ranking, entry = study.keys[key];
     const isDefault = key === 0;
     section.replaceChildren(title,
       element("p", { class: "lead" }, "How many times faster than the path tracer does each configuration reach its error? The path tracer's time for that error is taken from its own curve on the same scene, ",
         "a straight line in log-log between its runs. Beyond them it is extended with the slope of Monte Carlo (marked *). An error that is not resolved counts as the upper end of its interval, which makes the factor a lower bound (≥). ",
         "Configurations with results on more scenes come first; among equals the geometric mean decides."),
       ranking.points.length
-        ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: one small mark for each scene (hollow: * or ≥), a bar for the geometric mean.`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])
+        ? plot((width) => plotting.rankingPlot(study, gibench.plots, key, width), `Speed-up at equal ${study.metrics[entry.metric].title} of ${entry.of}: one small mark for each scene (hollow: * or ≥), a bar for the geometric mean.${plotting.rowsNote(ranking.points.map((p) => p.run))}`, isDefault ? ["ranking.svg", "ranking.pdf"] : [])
         : element("p", { class: "note" }, "There is no speed-up to show, because the path tracer has no curve for this error."),
       table(ranking.table, { files: isDefault ? "ranking" : null, methodColumn: 1 }));
   }
@@ -52,19 +52,20 @@
     return [
       plot((width) => plotting.errorPlot(study, gibench.plots, scene, key, width), `${study.metrics[entry.metric].title} of ${entry.of} against time.`, key === first ? [`${stem}.svg`, `${stem}.pdf`] : [], note),
       ...plotting.sweeps(study, scene, key).map((sweep) => plot((width) => plotting.sweepPlot(study, gibench.plots, key, width, sweep), `${study.metrics[entry.metric].title} of ${entry.of} against ${sweep.name}.`, key === first ? [`${stem}-${sweep.name}.svg`, `${stem}-${sweep.name}.pdf`] : [])),
-      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), "Where the time goes.", [`${stages}.svg`, `${stages}.pdf`]),
+      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), `Where the time goes.${plotting.rowsNote(points.map((p) => p.index))}`, [`${stages}.svg`, `${stages}.pdf`]),
     ];
   }
 
   function runDetails(scene) {
-    const rows = scene.runs.map((index) => {
-      const run = study.runs[index];
+    const details = (run) => {
       const facts = [["status", run.status_text + (run.exit_code === null ? "" : ` (exit status ${run.exit_code})`)], ["message", run.message], ["parameters", run.parameters.map((pair) => pair.join(" = ")).join(", ")],
-        ["seed", run.seed === null ? "" : String(run.seed)], ["threads", run.threads === null ? "" : String(run.threads)], ["wall clock", run.wall ?? ""], ["termination", run.termination],
+        ["seed", run.seed === null ? "" : String(run.seed)], ["threads", run.threads === null ? "" : String(run.threads)], ["machine", run.machine], ["wall clock", run.wall ?? ""], ["termination", run.termination],
         ["counters", run.counters.map((pair) => pair.join(" ")).join(", ")], ["warnings", run.warnings.join("; ")], ...run.details].filter(([, value]) => value !== "");
       return element("details", {}, element("summary", {}, gibench.methodMark(run.method), run.label), element("dl", { class: "facts" }, definitions(facts)));
-    });
-    return element("details", { class: "block" }, element("summary", {}, "Parameters, counters and warnings of every run"), rows);
+    };
+    const list = element("div", {});
+    gibench.inPieces(list, scene.runs.length, (position) => details(study.runs[scene.runs[position]]));
+    return element("details", { class: "block" }, element("summary", {}, "Parameters, counters and warnings of every run"), list);
   }
 
   // The parts of a scene that stay when another error is chosen.
@@ -98,11 +99,11 @@
     return { section, measured, tableHolder };
   }
 
-  function sceneResults(scene, frame, key) {
+  function sceneResults(scene, index, frame, key) {
     if (!frame.measured) return;
     frame.measured.replaceChildren(...(key === null ? [element("p", { class: "note" }, "No run of the study measured an error.")] : plotsOf(scene, key)));
     const isDefault = key === null || key === 0;
-    frame.tableHolder.replaceChildren(table(scene.tables[key ?? 0], { files: isDefault ? scene.slug : null, methodColumn: 1 }));
+    frame.tableHolder.replaceChildren(table(study.errors[key ?? 0].tables[index], { files: isDefault ? scene.slug : null, methodColumn: 1 }));
   }
 
   function fixedSections() {

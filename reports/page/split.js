@@ -6,16 +6,16 @@
   function split(key) {
     const section = document.getElementById("split");
     const title = element("h2", { id: "split-title" }, "Where the error comes from");
-    if (key === null || study.splits[key].table.rows.length === 0) {
+    if (key === null || study.errors[key].split.table.rows.length === 0) {
       section.replaceChildren(title, element("p", {}, "No run has its error split into model error and discretisation error."));
       return;
     }
-    const { points, bounces, table: parts } = study.splits[key], entry = study.keys[key];
+    const { points, bounces, table: parts } = study.errors[key].split, entry = study.keys[key];
     const isDefault = key === 0;
     section.replaceChildren(...[title,
       element("p", { class: "lead" }, "A method that cannot simulate a kind of light path has an error that no refinement removes: its model error (◆), the difference between the reference of its own paths and that of all paths. ",
         "The rest is its discretisation error (●), the difference between the method and the reference of its own paths. On a scene of which it simulates every path, a method has no model error. Hollow marks are not resolved."),
-      points.length ? sections.plot((width) => plotting.splitPlot(study, gibench.plots, key, width), `Model and discretisation part of the ${study.metrics[entry.metric].title} of ${entry.of}. Bars are 95% intervals.`, isDefault ? ["error-split.svg", "error-split.pdf"] : []) : null,
+      points.length ? sections.plot((width) => plotting.splitPlot(study, gibench.plots, key, width), `Model and discretisation part of the ${study.metrics[entry.metric].title} of ${entry.of}. Bars are 95% intervals.${plotting.rowsNote(points.map((p) => `${p.scene}: ${p.run}`))}`, isDefault ? ["error-split.svg", "error-split.pdf"] : []) : null,
       table(parts, { files: isDefault ? "error-split" : null, methodColumn: 2 }),
       ...(bounces.rows.length ? [element("h3", {}, "Each bounce order separately"), table(bounces, { files: isDefault ? "error-per-bounce" : null })] : [])].filter((part) => part !== null));
   }

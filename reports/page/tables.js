@@ -15,16 +15,19 @@
   // `files` names the table's files in tables/; `style` gives method names their colour and shape.
   function table(data, { files = data.name, caption = data.caption, methodColumn = -1 } = {}) {
     const head = element("tr", {}, data.columns.map((column) => element("th", { scope: "col", class: column.number ? "number" : null }, column.title)));
-    const rows = data.rows.map((row) => element("tr", {}, row.map((text, at) => {
+    const made = (row) => element("tr", {}, row.map((text, at) => {
       if (at === 0) return element("th", { scope: "row" }, text);
       if (at === methodColumn) return element("td", {}, methodMark(text), text);
       return cell(text, data.columns[at]);
-    })));
+    }));
+    const body = element("tbody", {});
+    gibench.inPieces(body, data.rows.length, (position) => made(data.rows[position]),
+      (buttons) => element("tr", {}, element("td", { colspan: data.columns.length }, buttons)));
     const links = files === null ? [] : ["csv", "md", "tex"].flatMap((ending) => [" ", element("a", { href: `tables/${encodeURIComponent(files)}.${ending}` }, ending.toUpperCase())]);
     return element("figure", { class: "table" },
       element("figcaption", {}, caption, links.length ? element("span", { class: "downloads" }, links) : null),
       element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
-        element("table", {}, element("thead", {}, head), element("tbody", {}, rows))));
+        element("table", {}, element("thead", {}, head), body)));
   }
 
   const shapes = {

@@ -34,8 +34,20 @@ double plotted_value(const Metric& metric, double value) {
   return value;
 }
 
+std::pair<double, double> plotted_interval(const Metric& metric, double low, double high) {
+  const double a = plotted_value(metric, low), b = plotted_value(metric, high);
+  const bool around_no_error = metric.better == Better::nearer_to_zero && low < 0.0 && high > 0.0;
+  return {around_no_error ? 0.0 : std::min(a, b), std::max(a, b)};
+}
+
 double badness(const Metric& metric, double value) {
   return metric.better == Better::larger ? -value : plotted_value(metric, value);
+}
+
+std::optional<std::pair<double, double>> badness_interval(const Metric& metric, const MeasuredError& error) {
+  if (!error.low || !error.high) return std::nullopt;
+  if (metric.better == Better::larger) return std::pair(-*error.high, -*error.low);
+  return plotted_interval(metric, *error.low, *error.high);
 }
 
 double shown_value(const Metric& metric, const MeasuredError& error) {

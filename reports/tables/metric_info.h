@@ -1,7 +1,9 @@
 /// The way each metric is plotted and compared, and the errors that a study has.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/metrics/metric_table.h"
@@ -19,8 +21,12 @@ bool higher_is_better(const Metric& metric);
 
 /// The number drawn on the error axis.
 double plotted_value(const Metric& metric, double value);
+/// Smallest and largest of the numbers drawn for the values of an interval: one around "no error" begins at it.
+std::pair<double, double> plotted_interval(const Metric& metric, double low, double high);
 /// A number that is smaller for a better result.
 double badness(const Metric& metric, double value);
+/// Smallest and largest badness of the error's 95% interval; empty for an error without one.
+std::optional<std::pair<double, double>> badness_interval(const Metric& metric, const MeasuredError& error);
 /// The value of a resolved error; of another the end of its interval that is farthest from "no error": it may be as large.
 double shown_value(const Metric& metric, const MeasuredError& error);
 

@@ -122,12 +122,14 @@ std::vector<Effect> effects_in_order(const Study& study, const std::vector<Plann
 }
 
 /// The model error of the picture, or of the surface samples where there is none.
-Cell cost_cell(const StudyRun& run) {
-  if (run.complete == true) return {"none", "0"};
+const MeasuredError* cost_of(const StudyRun& run) {
   for (const Domain domain : all_domains)
-    if (const MeasuredError* error = run.model_error({domain, Component::total, headline_metric}))
-      return error_cell(metric_info(headline_metric), error);
-  return text_cell("");
+    if (const MeasuredError* error = run.model_error({domain, Component::total, headline_metric})) return error;
+  return nullptr;
+}
+
+Cell cost_cell(const StudyRun& run) {
+  return run.complete == true ? Cell{"none", "0"} : error_cell(metric_info(headline_metric), cost_of(run));
 }
 
 }  // namespace
@@ -147,7 +149,8 @@ Table effect_matrix(const Study& study) {
       const auto outcome = plan.outcomes.find(effect);
       return outcome == plan.outcomes.end() ? "" : to_string(outcome->second);
     });
-  columns.cells({"Model error", "model_error"}, [](const PlannedRuns& plan) { return cost_cell(plan.first); });
+  columns.cells({"Model error", "model_error"}, [](const PlannedRuns& plan) { return cost_cell(plan.first); })
+      .error_ends("model_error", [](const PlannedRuns& plan) { return cost_of(plan.first); });
   return columns.table(
       "effect-matrix",
       "Effects by scene and method: simulated, missing (called for, beyond the method) or skipped (not called for, or "
@@ -201,7 +204,8 @@ Table run_table(const Study& study) {
       .text("Status", "status", [](const StudyRun& run) { return status_text(run.status); })
       .text("Parameters", "parameters", [](const StudyRun& run) { return joined(run.parameters); })
       .whole("Seed", "seed", std::mem_fn(&StudyRun::seed))
-      .whole("Threads", "threads", std::mem_fn(&StudyRun::threads));
+      .whole("Threads", "threads", std::mem_fn(&StudyRun::threads))
+      .text("Machine", "machine", std::mem_fn(&StudyRun::machine));
   for (const Stage stage : all_stages)
     columns.seconds(to_string(stage), std::string(to_string(stage)) + "_seconds",
                     [stage](const StudyRun& run) { return run.seconds_of(stage); });

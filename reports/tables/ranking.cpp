@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <tuple>
 
 namespace gibench::report {
 namespace {
 
-/// What is compared on one scene: the drawn error (the floor for a run below it) and the time.
+/// What is compared on one scene: the shown error and the time.
 struct Entry {
   std::size_t run;
   double error;
@@ -23,37 +25,91 @@ std::optional<Entry> entry_of(const Study& study, std::size_t run, const ErrorKe
   return Entry{run, badness(metric, shown_value(metric, *error)), record.transport_seconds(key.domain), error->resolved};
 }
 
-void rank_scene(const std::vector<Entry>& entries, const std::map<std::size_t, RankedRun*>& ranked) {
+/// Ranks by error. Errors that are not resolved share a rank before the resolved ones, behind those that are smaller still.
+void rank_errors(const std::vector<Entry>& entries, const std::map<std::size_t, RankedRun*>& ranked) {
+  std::vector<double> resolved;
+  for (const Entry& entry : entries)
+    if (entry.resolved) resolved.push_back(entry.error);
+  std::ranges::sort(resolved);
+  const auto unresolved = entries.size() - resolved.size();
   for (const Entry& entry : entries) {
-    int better = 0;
-    bool beaten = !entry.seconds;
-    for (const Entry& other : entries) {
-      const bool tie = !entry.resolved && !other.resolved;
-      const bool more_accurate = !tie && (other.error < entry.error || (!other.resolved && entry.resolved));
-      const bool as_accurate = tie || other.error <= entry.error;
-      if (more_accurate) ++better;
-      if (other.run == entry.run || !entry.seconds || !other.seconds) continue;
-      const bool faster = *other.seconds < *entry.seconds;
-      const bool as_fast = *other.seconds <= *entry.seconds;
-      if ((faster && as_accurate) || (as_fast && more_accurate)) beaten = true;
-    }
-    RankedRun& row = *ranked.at(entry.run);
-    row.error_rank = better + 1;
-    row.on_front = !beaten;
+    const auto smaller = static_cast<std::size_t>(std::ranges::lower_bound(resolved, entry.error) - resolved.begin());
+    ranked.at(entry.run)->error_rank = static_cast<int>(1 + smaller + (entry.resolved ? unresolved : 0));
   }
 }
 
+/// The most accurate of some runs.
+struct MostAccurate {
+  double resolved = std::numeric_limits<double>::infinity();  ///< smallest error that is resolved
+  bool any_unresolved = false;
+
+  void add(const Entry& entry) {
+    if (entry.resolved) resolved = std::min(resolved, entry.error);
+    else any_unresolved = true;
+  }
+  bool beats(const Entry& entry) const { return resolved < entry.error || (any_unresolved && entry.resolved); }
+  bool equals_or_beats(const Entry& entry) const { return resolved <= entry.error || any_unresolved; }
+};
+
+/// Marks the runs that no other run beats: by time without being less accurate, or by accuracy without being slower.
+void mark_front(const std::vector<Entry>& entries, const std::map<std::size_t, RankedRun*>& ranked) {
+  std::vector<Entry> timed;
+  std::ranges::copy_if(entries, std::back_inserter(timed), [](const Entry& entry) { return entry.seconds.has_value(); });
+  std::ranges::sort(timed, {}, [](const Entry& entry) { return std::pair(*entry.seconds, entry.run); });
+  MostAccurate faster;
+  for (auto first = timed.begin(); first != timed.end();) {
+    const auto last = std::find_if(first, timed.end(), [&](const Entry& entry) { return *entry.seconds > *first->seconds; });
+    MostAccurate as_fast = faster;
+    std::for_each(first, last, [&](const Entry& entry) { as_fast.add(entry); });
+    std::for_each(first, last, [&](const Entry& entry) {
+      ranked.at(entry.run)->on_front = !faster.equals_or_beats(entry) && !as_fast.beats(entry);
+    });
+    faster = as_fast;
+    first = last;
+  }
+}
+
+/// The geometric mean of factors with an interval each.
+class FactorMean {
+ public:
+  void add(const SpeedUp& speed) {
+    log_sum_ += std::log(speed.factor);
+    widen(below_, speed.low, speed.factor);
+    widen(above_, speed.high, speed.factor);
+    ++count_;
+  }
+  void write(RankingRow& row) const {
+    row.compared = count_;
+    if (count_ == 0) return;
+    row.geometric_mean = std::exp(log_sum_ / count_);
+    if (below_) row.mean_low = *row.geometric_mean * std::exp(-std::sqrt(*below_) / count_);
+    if (above_) row.mean_high = *row.geometric_mean * std::exp(std::sqrt(*above_) / count_);
+  }
+
+ private:
+  /// Adds the square of the logarithm between a factor and an end of its interval.
+  static void widen(std::optional<double>& squares, const std::optional<double>& end, double factor) {
+    if (!end || *end <= 0.0) squares.reset();
+    else if (squares) *squares += std::pow(std::log(*end / factor), 2);
+  }
+
+  double log_sum_ = 0.0;
+  std::optional<double> below_ = 0.0, above_ = 0.0;
+  int count_ = 0;
+};
+
 void summarise(const Study& study, RankingRow& row) {
-  double log_sum = 0.0, rank_sum = 0.0;
+  FactorMean mean;
+  double rank_sum = 0.0;
   int ranked = 0;
   for (const RankedRun& cell : row.scenes) {
     if (!cell.run) continue;
     const RunStatus status = study.runs[*cell.run].status;
     if (status != RunStatus::done && status != RunStatus::skipped) ++row.not_done;
     if (cell.speed_up) {
-      log_sum += std::log(cell.speed_up->factor);
+      mean.add(*cell.speed_up);
       row.at_least = row.at_least || cell.speed_up->at_least;
-      ++row.compared;
+      row.extrapolated = row.extrapolated || cell.speed_up->extrapolated;
     }
     if (cell.error_rank) {
       rank_sum += *cell.error_rank;
@@ -61,7 +117,7 @@ void summarise(const Study& study, RankingRow& row) {
     }
     if (cell.on_front) ++row.on_front;
   }
-  if (row.compared > 0) row.geometric_mean = std::exp(log_sum / row.compared);
+  mean.write(row);
   if (ranked > 0) row.mean_error_rank = rank_sum / ranked;
 }
 
@@ -88,27 +144,49 @@ std::optional<BaselineCurve::Answer> BaselineCurve::seconds_at(double error) con
   return Answer{before->first * std::pow(after->first / before->first, share), false};
 }
 
-BaselineCurve baseline_curve(const Study& study, const std::string& scene, const ErrorKey& key) {
+Baseline baseline_of(const Study& study, const std::string& scene, const ErrorKey& key, const std::string& machine) {
   const Metric metric = metric_info(key.metric);
-  std::vector<std::pair<double, double>> points;
+  std::vector<std::pair<double, double>> points, low_ends, high_ends;
   for (const std::size_t run : study.runs_of(scene)) {
-    if (study.runs[run].method != baseline_method) continue;
+    if (study.runs[run].method != baseline_method || study.runs[run].machine != machine) continue;
     const auto entry = entry_of(study, run, key, metric);
-    if (entry && entry->seconds && entry->resolved) points.emplace_back(*entry->seconds, entry->error);
+    if (!entry || !entry->seconds || !entry->resolved) continue;
+    points.emplace_back(*entry->seconds, entry->error);
+    const auto interval = badness_interval(metric, *study.runs[run].error(key));
+    low_ends.emplace_back(*entry->seconds, interval ? interval->first : entry->error);
+    high_ends.emplace_back(*entry->seconds, interval ? interval->second : entry->error);
   }
-  return {std::move(points), metric.monte_carlo_slope};
+  const auto through = [&](std::vector<std::pair<double, double>>& ends) {
+    return BaselineCurve(std::move(ends), metric.monte_carlo_slope);
+  };
+  return {through(points), through(low_ends), through(high_ends)};
 }
 
-std::optional<SpeedUp> speed_up(const BaselineCurve& curve, const StudyRun& run, const ErrorKey& key) {
+std::optional<SpeedUp> speed_up(const Baseline& baseline, const StudyRun& run, const ErrorKey& key) {
   const MeasuredError* error = run.error(key);
   const auto seconds = run.transport_seconds(key.domain);
   if (run.status != RunStatus::done || !error || !seconds || *seconds <= 0.0) return std::nullopt;
   // The path tracer's own error, unknown or not, takes the path tracer's time.
   if (!error->resolved && run.method == baseline_method) return SpeedUp{.factor = 1.0};
   const Metric metric = metric_info(key.metric);
-  const auto at = curve.seconds_at(badness(metric, shown_value(metric, *error)));
+  const auto at = baseline.errors.seconds_at(badness(metric, shown_value(metric, *error)));
   if (!at) return std::nullopt;
-  return SpeedUp{at->seconds / *seconds, !error->resolved, at->extrapolated};
+  SpeedUp speed{.factor = at->seconds / *seconds, .at_least = !error->resolved, .extrapolated = at->extrapolated};
+  const auto interval = badness_interval(metric, *error);
+  // A run of the path tracer lies on the curve with the very error that the curve has there.
+  if (!interval || run.method == baseline_method) return speed;
+  // The larger the run's error and the smaller the path tracer's, the sooner the path tracer is there.
+  if (const auto soonest = baseline.low_ends.seconds_at(interval->second)) speed.low = soonest->seconds / *seconds;
+  if (const auto latest = baseline.high_ends.seconds_at(interval->first); latest && error->resolved)
+    speed.high = latest->seconds / *seconds;
+  return speed;
+}
+
+std::optional<SpeedUp> SpeedUps::of(const StudyRun& run) {
+  const auto found = baselines_.find(run.machine);
+  const Baseline& baseline =
+      found != baselines_.end() ? found->second : baselines_.emplace(run.machine, baseline_of(study_, scene_, key_, run.machine)).first->second;
+  return speed_up(baseline, run, key_);
 }
 
 std::vector<RankingRow> rank(const Study& study, const ErrorKey& key) {
@@ -127,17 +205,18 @@ std::vector<RankingRow> rank(const Study& study, const ErrorKey& key) {
         rows.push_back({.method = record.method, .label = record.label, .scenes = std::vector<RankedRun>(study.scenes.size())});
       row_of[run] = found->second;
     }
-    const BaselineCurve curve = baseline_curve(study, study.scenes[s].name, key);
+    SpeedUps speed_ups(study, study.scenes[s].name, key);
     std::vector<Entry> entries;
     std::map<std::size_t, RankedRun*> ranked;
     for (const auto& [run, row] : row_of) {
       RankedRun& cell = rows[row].scenes[s];
       cell.run = run;
-      cell.speed_up = speed_up(curve, study.runs[run], key);
+      cell.speed_up = speed_ups.of(study.runs[run]);
       ranked[run] = &cell;
       if (const auto entry = entry_of(study, run, key, metric)) entries.push_back(*entry);
     }
-    rank_scene(entries, ranked);
+    rank_errors(entries, ranked);
+    mark_front(entries, ranked);
   }
   for (RankingRow& row : rows) summarise(study, row);
   std::stable_sort(rows.begin(), rows.end(), [](const RankingRow& a, const RankingRow& b) {

@@ -2,6 +2,7 @@
 /// configurations of a study compare across its scenes.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,23 +34,43 @@ class BaselineCurve {
   std::optional<double> slope_;
 };
 
-/// The curve of a scene. Runs below the noise floor are left out: their error is not known.
-BaselineCurve baseline_curve(const Study& study, const std::string& scene, const ErrorKey& key);
+/// The path tracer on one scene: through its errors, and through the ends of their 95% intervals.
+struct Baseline {
+  BaselineCurve errors, low_ends, high_ends;
+};
+/// Of the path tracer's runs on one machine; those whose error is not resolved are left out: their error is not known.
+Baseline baseline_of(const Study& study, const std::string& scene, const ErrorKey& key, const std::string& machine);
 
 /// Path tracer's time for the run's error over the run's time.
 struct SpeedUp {
   double factor = 0.0;
-  bool at_least = false;      ///< a lower bound: the run's error is below the noise floor, which stands in for it
+  /// What the 95% intervals of the run's error and of the path tracer's errors leave room for, taken at their worst together;
+  /// seconds are taken as exact. Empty where an interval or the curve does not say.
+  std::optional<double> low = {}, high = {};
+  bool at_least = false;      ///< a lower bound: the run's error is not resolved, its interval's far end stands in for it
   bool extrapolated = false;  ///< the path tracer was not run at that error
 };
-/// Empty where the curve or the run does not say; 1 for a run of the path tracer below the noise floor.
-std::optional<SpeedUp> speed_up(const BaselineCurve& curve, const StudyRun& run, const ErrorKey& key);
+/// Empty where the curve or the run does not say; 1 for a run of the path tracer whose error is not resolved.
+std::optional<SpeedUp> speed_up(const Baseline& baseline, const StudyRun& run, const ErrorKey& key);
+
+/// The speed-ups on one scene, each over the path tracer on the run's own machine.
+class SpeedUps {
+ public:
+  SpeedUps(const Study& study, std::string scene, ErrorKey key) : study_(study), scene_(std::move(scene)), key_(std::move(key)) {}
+  std::optional<SpeedUp> of(const StudyRun& run);
+
+ private:
+  const Study& study_;
+  std::string scene_;
+  ErrorKey key_;
+  std::map<std::string, Baseline> baselines_;  ///< by machine
+};
 
 /// One configuration on one scene.
 struct RankedRun {
   std::optional<std::size_t> run;  ///< position in the study's runs; empty: not in the study
   std::optional<SpeedUp> speed_up;
-  std::optional<int> error_rank;  ///< 1 is the smallest error on this scene; runs below the floor share a rank
+  std::optional<int> error_rank;  ///< 1 is the smallest error on this scene; runs whose error is not resolved share a rank
   bool on_front = false;          ///< no other run of the scene is both faster and more accurate
 };
 
@@ -60,7 +81,11 @@ struct RankingRow {
   int compared = 0;                           ///< scenes with a speed-up
   int not_done = 0;                           ///< refused, timed out, crashed, failed
   std::optional<double> geometric_mean = {};  ///< of the speed-ups
-  bool at_least = false;                      ///< some speed-up in the mean is a lower bound
+  /// The mean's interval, the scenes' intervals taken as independent (their logarithms added as squares); each end empty where
+  /// some scene's is.
+  std::optional<double> mean_low = {}, mean_high = {};
+  bool at_least = false;      ///< some speed-up in the mean is a lower bound
+  bool extrapolated = false;  ///< the path tracer was not run at the error of some speed-up in the mean
   std::optional<double> mean_error_rank = {};
   int on_front = 0;
 };

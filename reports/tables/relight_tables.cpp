@@ -30,6 +30,15 @@ Cell bounded_cell(const std::optional<Bounded>& number, Format format) {
 std::string significant_of(double value) { return significant(value); }
 std::string whole_text(double value) { return fmt::format("{:.0f}", value); }
 
+/// A number that may be known by its bounds alone; in CSV the ends of its interval have columns of their own.
+template <class Of, class Format>
+void add_bounded(Columns<StudyRelight>& columns, std::string title, const std::string& name, Of of, Format format) {
+  columns
+      .cells({std::move(title), name}, [of, format](const StudyRelight& relight) { return bounded_cell(of(relight), format); })
+      .in_csv(name + "_ci95_low", of, [](const auto& number) { return number_cell(number ? number->low : std::nullopt); })
+      .in_csv(name + "_ci95_high", of, [](const auto& number) { return number_cell(number ? number->high : std::nullopt); });
+}
+
 struct FrameRow {
   const StudyRelight& relight;
   const StudyRelight::Frame& frame;
@@ -46,13 +55,10 @@ Table relight_table(const Study& study) {
       .count("Frames", "frames", std::mem_fn(&StudyRelight::frames))
       .seconds("Prepare", "prepare_seconds", std::mem_fn(&StudyRelight::prepare_seconds))
       .seconds("Frame: light", "relight_seconds", std::mem_fn(&StudyRelight::relight_seconds))
-      .seconds("Frame: shade", "shade_seconds", std::mem_fn(&StudyRelight::shade_seconds))
-      .cells({"Path tracing", "path_tracing_seconds"},
-             [](const StudyRelight& relight) { return bounded_cell(relight.path_tracing_seconds, duration); })
-      .cells({"Cheaper by", "times_cheaper"},
-             [](const StudyRelight& relight) { return bounded_cell(relight.times_cheaper, factor); })
-      .cells({"Pays after frames", "frames_that_pay"},
-             [](const StudyRelight& relight) { return bounded_cell(relight.frames_that_pay, whole_text); });
+      .seconds("Frame: shade", "shade_seconds", std::mem_fn(&StudyRelight::shade_seconds));
+  add_bounded(columns, "Path tracing", "path_tracing_seconds", std::mem_fn(&StudyRelight::path_tracing_seconds), duration);
+  add_bounded(columns, "Cheaper by", "times_cheaper", std::mem_fn(&StudyRelight::times_cheaper), factor);
+  add_bounded(columns, "Pays after frames", "frames_that_pay", std::mem_fn(&StudyRelight::frames_that_pay), whole_text);
   return columns.table(
       "relighting",
       "Relighting: a frame's seconds (median) beside path tracing to the same error of the indirect light at the "
@@ -62,10 +68,10 @@ Table relight_table(const Study& study) {
 
 Table relit_frame_table(const Study& study) {
   const Metric metric = metric_info(headline_metric);
-  const auto error_of = [&metric](Component component) {
-    return [&metric, component](const FrameRow& row) {
+  const auto error_of = [](Component component) {
+    return [component](const FrameRow& row) -> const MeasuredError* {
       const auto found = row.frame.relative_rmse.find(component);
-      return error_cell(metric, found == row.frame.relative_rmse.end() ? nullptr : &found->second);
+      return found == row.frame.relative_rmse.end() ? nullptr : &found->second;
     };
   };
   Columns<FrameRow> columns;
@@ -76,8 +82,8 @@ Table relit_frame_table(const Study& study) {
       .text("Switched", "switched", [](const FrameRow& row) { return fmt::format("{}", fmt::join(row.frame.switched, ", ")); })
       .seconds("Light", "relight_seconds", [](const FrameRow& row) { return row.frame.relight_seconds; })
       .seconds("Shade", "shade_seconds", [](const FrameRow& row) { return row.frame.shade_seconds; })
-      .cells({"Direct light", "direct_relative_rmse"}, error_of(Component::direct))
-      .cells({"Indirect light", "indirect_relative_rmse"}, error_of(Component::indirect));
+      .error("Direct light", "direct_relative_rmse", metric, error_of(Component::direct))
+      .error("Indirect light", "indirect_relative_rmse", metric, error_of(Component::indirect));
   std::vector<FrameRow> rows;
   for (const StudyRelight& relight : study.relights)
     for (const StudyRelight::Frame& frame : relight.all_frames) rows.push_back({relight, frame});

@@ -47,9 +47,9 @@ void add_parts(Columns<Row>& columns, const Metric& metric, Complete complete) {
   columns
       .cells({"Model error", "model_error"},
              [&metric, complete](const Row& row) { return model_cell(metric, complete(row), row.model); })
+      .error_ends("model_error", std::mem_fn(&Row::model))
       .cells({"Noise floor", "model_noise_floor"}, [&metric](const Row& row) { return floor_cell(metric, row.model); })
-      .cells({"Discretisation error", "discretisation_error"},
-             [&metric](const Row& row) { return error_cell(metric, row.discretisation); })
+      .error("Discretisation error", "discretisation_error", metric, std::mem_fn(&Row::discretisation))
       .cells({"Noise floor", "discretisation_noise_floor"},
              [&metric](const Row& row) { return floor_cell(metric, row.discretisation); });
 }
@@ -99,7 +99,7 @@ Table split_table(const Study& study, const ErrorKey& key) {
       .text("Method", "method", [](const SplitRow& row) { return row.run.method; })
       .text("Missing", "missing", [](const SplitRow& row) { return missing_of(row.run); });
   add_parts(columns, metric, [](const SplitRow& row) { return row.run.complete == true; });
-  columns.cells({"Total error", "total_error"}, [&](const SplitRow& row) { return error_cell(metric, row.run.error(key)); })
+  columns.error("Total error", "total_error", metric, [&](const SplitRow& row) { return row.run.error(key); })
       .text("Light paths", "light_paths", [](const SplitRow& row) { return row.run.light_paths; });
   std::vector<SplitRow> rows;
   for (const StudyRun& run : study.runs)

@@ -11,8 +11,25 @@
 namespace gibench::report {
 namespace {
 
+/// "≥ 12.3× [10.1, 15.2] *": a lower bound, the interval, and the mark of what lies beyond the path tracer's measured errors.
+std::string factor_text(double value, bool at_least, std::optional<double> low, std::optional<double> high, bool extrapolated) {
+  std::string text = (at_least ? "≥ " : "") + factor(value);
+  if (low && high) text += fmt::format(" [{}, {}]", significant(*low), significant(*high));
+  return text + (extrapolated ? " *" : "");
+}
+
 std::string speed_up_text(const SpeedUp& speed) {
-  return fmt::format("{}{}{}", speed.at_least ? "≥ " : "", factor(speed.factor), speed.extrapolated ? " *" : "");
+  return factor_text(speed.factor, speed.at_least, speed.low, speed.high, speed.extrapolated);
+}
+
+/// The columns of CSV alone that go with a speed-up; `of` gives a `std::optional<SpeedUp>`.
+template <class Row, class Of>
+void add_speed_up_ends(Columns<Row>& columns, const std::string& name, Of of) {
+  using Speed = std::optional<SpeedUp>;
+  columns.in_csv(name + "_ci95_low", of, [](const Speed& speed) { return number_cell(speed ? speed->low : std::nullopt); })
+      .in_csv(name + "_ci95_high", of, [](const Speed& speed) { return number_cell(speed ? speed->high : std::nullopt); })
+      .in_csv(name + "_is_lower_bound", of, [](const Speed& speed) { return yes_or_no(speed, &SpeedUp::at_least); })
+      .in_csv(name + "_extrapolated", of, [](const Speed& speed) { return yes_or_no(speed, &SpeedUp::extrapolated); });
 }
 
 /// A run on the scene that a table is of.
@@ -26,6 +43,14 @@ struct ErrorRow {
   const ErrorKey& key;
   const MeasuredError& error;
 };
+
+/// " (surfaces: seen)": where the scene's surface samples lie, if its records say so.
+std::string domain_phrase(const Study& study, const std::string& scene, const ErrorKey& key) {
+  if (key.domain != Domain::surface) return {};
+  for (const std::size_t run : study.runs_of(scene))
+    if (const std::string& domain = study.runs[run].surface_domain; !domain.empty()) return " (surfaces: " + domain + ")";
+  return {};
+}
 
 /// The speed-up on one scene, or how the run ended where it gave no answer.
 Cell ranked_cell(const Study& study, const RankedRun& ranked) {
@@ -56,14 +81,14 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
   columns.text("Run", "run", [](const SceneRow& row) { return row.run.label; })
       .text("Method", "method", [](const SceneRow& row) { return row.run.method; })
       .text("Status", "status", [](const SceneRow& row) { return status_text(row.run.status); })
-      .cells({metric.title + " [95% interval]", key.metric},
-             [&](const SceneRow& row) { return error_cell(metric, row.run.error(key)); })
+      .error(metric.title + " [95% interval]", key.metric, metric, [&](const SceneRow& row) { return row.run.error(key); })
       .cells({"Noise floor", "noise_floor"}, [&](const SceneRow& row) { return floor_cell(metric, row.run.error(key)); })
       .cells({"Speed-up", "speed_up"},
              [](const SceneRow& row) {
                return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
-             })
-      .seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
+             });
+  add_speed_up_ends(columns, "speed_up", std::mem_fn(&SceneRow::speed_up));
+  columns.seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
       .seconds("Prepare", "prepare_seconds", stage(Stage::prepare))
       .seconds("Light", "light_seconds", stage(Stage::light))
       .seconds("Shade", "shade_seconds", [&](const SceneRow& row) { return row.run.shade_seconds(key.domain); })
@@ -71,12 +96,12 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
       .bytes("Peak memory", "peak_bytes", [](const SceneRow& row) { return row.run.peak_bytes; })
       .count("Closest-hit rays", "closest_hit_rays", counter("closest_hit_rays"))
       .count("Occlusion rays", "occlusion_rays", counter("occlusion_rays"));
-  const BaselineCurve curve = baseline_curve(study, name, key);
+  SpeedUps speed_ups(study, name, key);
   std::vector<SceneRow> rows;
-  for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_up(curve, study.runs[run], key)});
+  for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_ups.of(study.runs[run])});
   return columns.table(scene_slug(study, scene),
-                       name + ": " + metric.title + " of " + describe(key) +
-                           " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors), "
+                       name + ": " + metric.title + " of " + describe(key) + domain_phrase(study, name, key) +
+                           " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors, ≥ a lower bound), "
                            "seconds, memory and rays.",
                        rows);
 }
@@ -90,9 +115,15 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
       .text("Method", "method", [](const RankingRow& row) { return row.method; })
       .cells({"Geometric mean", "geometric_mean_speed_up"},
              [](const RankingRow& row) {
-               const auto text = [&](double mean) { return std::string(row.at_least ? "≥ " : "").append(factor(mean)); };
+               const auto text = [&](double mean) {
+                 return factor_text(mean, row.at_least, row.mean_low, row.mean_high, row.extrapolated);
+               };
                return cell(row.geometric_mean, text, exact);
              })
+      .in_csv("geometric_mean_ci95_low", std::mem_fn(&RankingRow::mean_low), number_cell)
+      .in_csv("geometric_mean_ci95_high", std::mem_fn(&RankingRow::mean_high), number_cell)
+      .in_csv("geometric_mean_is_lower_bound", std::mem_fn(&RankingRow::at_least), flag_cell)
+      .in_csv("geometric_mean_extrapolated", std::mem_fn(&RankingRow::extrapolated), flag_cell)
       .whole("Scenes" + of, "scenes_compared", [](const RankingRow& row) { return row.compared; })
       .cells({"Mean error rank", "mean_error_rank"},
              [](const RankingRow& row) {
@@ -102,11 +133,14 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
       .whole("On the front" + of, "scenes_on_front", [](const RankingRow& row) { return row.on_front; })
       .whole("Without result" + of, "scenes_without_answer", [](const RankingRow& row) { return row.not_done; });
   for (std::size_t s = 0; s < study.scenes.size(); ++s)
-    if (const StudyScene& scene = study.scenes[s]; !scene.skipped)
+    if (const StudyScene& scene = study.scenes[s]; !scene.skipped) {
       columns.cells({scene.name, scene.name}, [&study, s](const RankingRow& row) { return ranked_cell(study, row.scenes[s]); });
+      add_speed_up_ends(columns, scene.name, [s](const RankingRow& row) { return row.scenes[s].speed_up; });
+    }
   return columns.table("ranking",
                        "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
-                           ": the path tracer's time for a run's error over the run's time; geometric mean over the scenes.",
+                           ": the path tracer's time for a run's error over the run's time, with what the 95% intervals leave room for (* "
+                           "beyond its measured errors, ≥ the run's error is not resolved); geometric mean over the scenes.",
                        rows);
 }
 

@@ -102,7 +102,21 @@ std::string to_csv(const Table& table) {
   return out;
 }
 
-std::string to_markdown(const Table& table) {
+Table shown(Table table) {
+  const std::vector<Column> columns = std::move(table.columns);
+  const auto keep = [&columns]<class Item>(const std::vector<Item>& items) {
+    std::vector<Item> kept;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].is_shown) kept.push_back(items[c]);
+    return kept;
+  };
+  table.columns = keep(columns);
+  for (auto& row : table.rows) row = keep(row);
+  return table;
+}
+
+std::string to_markdown(const Table& whole) {
+  const Table table = shown(whole);
   std::string out = escape_markdown(table.caption) + "\n\n| ";
   out += joined(table.columns, " | ", [](const Column& column) { return escape_markdown(column.title); }) + " |\n|";
   for (const Column& column : table.columns) out += column.is_number ? " ---: |" : " --- |";
@@ -112,7 +126,8 @@ std::string to_markdown(const Table& table) {
   return out;
 }
 
-std::string to_latex(const Table& table) {
+std::string to_latex(const Table& whole) {
+  const Table table = shown(whole);
   std::string out = "% needs \\usepackage{booktabs} and UTF-8 input\n\\begin{table}\n  \\centering\n  \\caption{" +
                     escape_latex(table.caption) + "}\n  \\label{tab:" + table.name + "}\n  \\begin{tabular}{";
   for (const Column& column : table.columns) out += column.is_number ? 'r' : 'l';

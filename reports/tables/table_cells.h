@@ -29,6 +29,13 @@ inline Cell number_cell(std::optional<double> number) {
       number, [](double value) { return significant(value); }, exact);
 }
 
+inline Cell flag_cell(bool flag) { return text_cell(flag ? "yes" : "no"); }
+/// A flag of what may be absent.
+template <class T>
+Cell yes_or_no(const std::optional<T>& value, bool T::*flag) {
+  return value ? flag_cell((*value).*flag) : text_cell("");
+}
+
 template <class Integer>
 Cell whole_cell(const std::optional<Integer>& number) {
   return text_cell(number ? std::to_string(*number) : "");

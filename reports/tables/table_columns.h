@@ -21,6 +21,27 @@ class Columns {
     columns_.push_back({std::move(column), std::move(of)});
     return *this;
   }
+  /// A column of CSV alone, where people read the datum in the text of another.
+  template <class Of, class ToCell>
+  Columns& in_csv(std::string name, Of of, ToCell to_cell) {
+    return cells({"", std::move(name), true, false}, [of, to_cell](const Row& row) { return to_cell(of(row)); });
+  }
+  /// An error with its interval; in CSV the ends of the interval and whether it is resolved have columns of their own.
+  /// `of` gives a `const MeasuredError*`.
+  template <class Of>
+  Columns& error(std::string title, const std::string& name, const Metric& metric, Of of) {
+    cells({std::move(title), name}, [of, metric](const Row& row) { return error_cell(metric, of(row)); });
+    return error_ends(name, of);
+  }
+  /// The columns of CSV alone that go with the error `name`.
+  template <class Of>
+  Columns& error_ends(const std::string& name, Of of) {
+    in_csv(name + "_ci95_low", of, [](const MeasuredError* error) { return number_cell(error ? error->low : std::nullopt); });
+    in_csv(name + "_ci95_high", of, [](const MeasuredError* error) { return number_cell(error ? error->high : std::nullopt); });
+    return in_csv(name + "_resolved", of, [](const MeasuredError* error) {
+      return text_cell(!error ? "" : error->resolved ? "yes" : "no");
+    });
+  }
   /// Gives a std::string; set to the left.
   template <class Of>
   Columns& text(std::string title, std::string name, Of of) {

@@ -43,7 +43,8 @@ Json texts_of(const std::vector<Cell>& cells) {
   return texts;
 }
 
-Json table_json(const Table& table) {
+Json table_json(const Table& whole) {
+  const Table table = shown(whole);
   Json columns = Json::array(), rows = Json::array();
   for (const Column& column : table.columns) columns.push_back({{"title", column.title}, {"number", column.is_number}});
   for (const auto& row : table.rows) rows.push_back(texts_of(row));
@@ -66,9 +67,9 @@ Json drawn_error(const Metric& metric, const MeasuredError& error) {
                 {"text", error_text(metric, error)}};
   if (error.noise_floor) entry["floor"] = plotted_value(metric, *error.noise_floor);
   if (error.resolved && error.low && error.high) {
-    const double a = plotted_value(metric, *error.low), b = plotted_value(metric, *error.high);
-    entry["low"] = std::min(a, b);
-    entry["high"] = std::max(a, b);
+    const auto [low, high] = plotted_interval(metric, *error.low, *error.high);
+    entry["low"] = low;
+    entry["high"] = high;
   }
   return entry;
 }
@@ -93,9 +94,8 @@ Json effects_json(const EffectPlan& plan) {
           {"skipped", skipped}};
 }
 
-Json run_json(const StudyRun& run, const std::vector<ErrorKey>& keys) {
-  Json errors = Json::array(), seconds = Json::object(), counters = Json::array();
-  for (const ErrorKey& key : keys) errors.push_back(error_json(run, key));
+Json run_json(const StudyRun& run) {
+  Json seconds = Json::object(), counters = Json::array();
   for (const auto& [stage, value] : run.seconds) seconds[to_string(stage)] = value;
   for (const auto& [name, count] : run.counters) counters.push_back({name, large_count(count)});
   Json time = Json::object();
@@ -119,8 +119,8 @@ Json run_json(const StudyRun& run, const std::vector<ErrorKey>& keys) {
           {"warnings", run.warnings},
           {"termination", run.termination ? to_string(*run.termination) : ""},
           {"effects", run.effects ? effects_json(*run.effects) : Json()},
-          {"details", facts_json(run.details)},
-          {"errors", errors}};
+          {"machine", run.machine},
+          {"details", facts_json(run.details)}};
 }
 
 Json picture_json(const PagePicture& picture) {
@@ -141,13 +141,9 @@ Json missing_effects(const Study& study, const std::string& scene) {
   return list;
 }
 
-/// The scene's table for every error key: the rows share what the key does not change.
-Json scene_json(const Study& study, std::size_t index, const std::vector<PagePicture>& pictures,
-                const std::vector<ErrorKey>& keys) {
+Json scene_json(const Study& study, std::size_t index, const std::vector<PagePicture>& pictures) {
   const StudyScene& scene = study.scenes[index];
-  Json tables = Json::array(), shown = Json::array();
-  for (const ErrorKey& key : keys) tables.push_back(table_json(scene_table(study, index, key)));
-  if (keys.empty()) tables.push_back(table_json(scene_table(study, index, usual_key())));
+  Json shown = Json::array();
   for (const PagePicture& picture : pictures) shown.push_back(picture_json(picture));
   return {{"name", scene.name},
           {"slug", scene_slug(study, index)},
@@ -157,8 +153,7 @@ Json scene_json(const Study& study, std::size_t index, const std::vector<PagePic
           {"reference", facts_json(scene.reference)},
           {"missing", missing_effects(study, scene.name)},
           {"runs", study.runs_of(scene.name)},
-          {"pictures", shown},
-          {"tables", tables}};
+          {"pictures", shown}};
 }
 
 Json ranking_json(const Study& study, const ErrorKey& key) {
@@ -225,8 +220,7 @@ Json relights_json(const Study& study) {
 std::string page_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
                       const std::vector<std::string>& warnings) {
   const std::vector<ErrorKey> keys = measured_keys(study);
-  Json methods = Json::array(), metrics = Json::object(), key_list = Json::array(), scenes = Json::array(), runs = Json::array(),
-       rankings = Json::array(), splits = Json::array();
+  Json methods = Json::array(), metrics = Json::object(), key_list = Json::array(), scenes = Json::array(), runs = Json::array();
   for (const MethodStyle& style : method_styles(study))
     methods.push_back({{"name", style.method}, {"colour", style.colour}, {"shape", style.shape}, {"dash", style.dash}});
   for (const ErrorKey& key : keys) {
@@ -236,11 +230,9 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
                         {"metric", key.metric},
                         {"of", describe(key)},
                         {"axis", axis_title(key)}});
-    rankings.push_back(ranking_json(study, key));
-    splits.push_back(split_json(study, key));
   }
-  for (std::size_t s = 0; s < study.scenes.size(); ++s) scenes.push_back(scene_json(study, s, pictures.at(s), keys));
-  for (const StudyRun& run : study.runs) runs.push_back(run_json(run, keys));
+  for (std::size_t s = 0; s < study.scenes.size(); ++s) scenes.push_back(scene_json(study, s, pictures.at(s)));
+  for (const StudyRun& run : study.runs) runs.push_back(run_json(run));
   return assignment("study", {{"name", study.name},
                               {"version", study.version},
                               {"commit", study.commit},
@@ -253,14 +245,24 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
                               {"keys", key_list},
                               {"scenes", scenes},
                               {"runs", runs},
-                              {"rankings", rankings},
-                              {"splits", splits},
+                              {"errors", Json::object()},
                               {"relights", relights_json(study)},
                               {"calls", table_json(call_table(study))},
                               {"evidence", table_json(evidence_table(study))},
                               {"effect_matrix", table_json(effect_matrix(study))},
                               {"effects", table_json(effect_table(study))},
                               {"failures", table_json(failure_table(study))}});
+}
+
+std::string error_data(const Study& study, const ErrorKey& key, std::size_t position) {
+  Json runs = Json::array(), tables = Json::array();
+  for (const StudyRun& run : study.runs) runs.push_back(error_json(run, key));
+  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene)
+    tables.push_back(table_json(scene_table(study, scene, key)));
+  return assignment(fmt::format("study.errors[{}]", position), {{"runs", runs},
+                                                                {"ranking", ranking_json(study, key)},
+                                                                {"split", split_json(study, key)},
+                                                                {"tables", tables}});
 }
 
 std::string plot_templates(const std::filesystem::path& folder) {

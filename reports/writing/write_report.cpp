@@ -80,6 +80,16 @@ void write_page(const Study& study, const fs::path& folder) {
   write_text(folder / "index.html", replaced(std::move(html), "{{title}}", escape_html(study.name)));
 }
 
+/// The first error's part stands in the study's file: the page opens with it.
+void write_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
+                const std::vector<std::string>& warnings, const fs::path& folder) {
+  std::vector<ErrorKey> keys = measured_keys(study);
+  if (keys.empty()) keys.push_back(usual_key());
+  write_text(folder / "study.js", page_data(study, pictures, warnings) + error_data(study, keys.front(), 0));
+  for (std::size_t key = 1; key < keys.size(); ++key)
+    write_text(folder / ("error-" + std::to_string(key) + ".js"), error_data(study, keys[key], key));
+}
+
 /// Tells the page which plot files there are.
 void list_plot_files(const fs::path& folder) {
   std::vector<std::string> names;
@@ -102,7 +112,7 @@ std::vector<std::string> write_report(const Study& study, const fs::path& folder
   write_tables(study, folder / "tables");
   write_page(study, folder);
   write_text(folder / "data" / "plots.js", plot_templates(resources_folder() / "plots"));
-  write_text(folder / "data" / "study.js", page_data(study, pictures, warnings));
+  write_data(study, pictures, warnings, folder / "data");
   fs::create_directories(folder / "plots");
   for (std::string& line : render_plots(folder)) warnings.push_back(std::move(line));
   list_plot_files(folder);

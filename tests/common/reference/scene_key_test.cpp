@@ -118,6 +118,7 @@ TEST(ReferenceKey, EveryFieldOfTheQuestionChangesIt) {
       [](ReferenceQuestion& q) { q.path_class = "C.{0,3}[LOB]"; },
       [](ReferenceQuestion& q) { q.seed = 2; },
       [](ReferenceQuestion& q) { q.surface_samples = 51; },
+      [](ReferenceQuestion& q) { q.surface_domain = "seen"; },
       [](ReferenceQuestion& q) { q.pixel_samples = 2; },
       [](ReferenceQuestion& q) { q.camera.reset(); },
       [](ReferenceQuestion& q) { q.camera->position.x += 0.1F; },

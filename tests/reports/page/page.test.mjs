@@ -181,7 +181,7 @@ test("every choice of domain, light and metric works", async () => {
     await page.locator(`#error-choice label:has(input[value=${key.domain}])`).click();
     await page.locator(`#error-choice label:has(input[value=${key.component}])`).click();
     await page.locator("#metric").selectOption(key.metric);
-    assert.equal(await page.evaluate(() => document.body.dataset.key), String(index));
+    await page.waitForFunction((wanted) => document.body.dataset.key === wanted, String(index));
     const drawn = page.locator(errorPlots).first().locator(".plot[data-drawn=yes] svg.marks");
     await page.locator(errorPlots).first().scrollIntoViewIfNeeded();
     await drawn.waitFor();
@@ -231,6 +231,23 @@ test("a sweep's series are told apart by their labels, on log axes", async () =>
   assert.notEqual(drawn.colours[0], drawn.colours[1]);
   assert.deepEqual(drawn.ticks, [32, 64, 128, 256]);
   assert.equal(drawn.scale, "log");
+  await page.close();
+});
+
+test("a table of many rows opens with its first hundred, and shows the rest when asked", async () => {
+  const { page, problems } = await open();
+  await page.evaluate(() => {
+    const rows = Array.from({ length: 10000 }, (_, i) => [`run ${i}`, String(i)]);
+    document.body.append(gibench.element("div", { id: "many" }, gibench.table({ name: "many", caption: "Many", columns: [{ title: "Run" }, { title: "Number", number: true }], rows })));
+  });
+  const rows = () => page.locator("#many tbody tr:has(th)").count();
+  assert.equal(await rows(), 100);
+  await page.locator("#many button").first().click();
+  assert.equal(await rows(), 1100);
+  await page.locator("#many button").last().click();
+  assert.equal(await rows(), 10000);
+  assert.equal(await page.locator("#many button").count(), 0);
+  assert.deepEqual(problems, []);
   await page.close();
 });
 

@@ -64,5 +64,13 @@ TEST(MetricInfo, DrawnAndRankedValues) {
   EXPECT_EQ(metric_info("something new").title, "something new");
 }
 
+TEST(PlottedInterval, OfABiasAroundNothingBeginsAtNothing) {
+  const Metric bias = metric_info("bias");
+  EXPECT_EQ(plotted_interval(bias, -0.1, 0.2), std::pair(0.0, 0.2));
+  EXPECT_EQ(plotted_interval(bias, -0.3, 0.2), std::pair(0.0, 0.3));
+  EXPECT_EQ(plotted_interval(bias, -0.3, -0.2), std::pair(0.2, 0.3));
+  EXPECT_EQ(plotted_interval(metric_info("relative_rmse"), 0.1, 0.2), std::pair(0.1, 0.2));
+}
+
 }  // namespace
 }  // namespace gibench::report

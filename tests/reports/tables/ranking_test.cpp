@@ -35,6 +35,17 @@ const RankingRow& row_of(const std::vector<RankingRow>& rows, const std::string&
   throw std::runtime_error("no row " + label);
 }
 
+/// A path tracer whose errors have no intervals, with the slope of the RMSE.
+Baseline exact_baseline(const std::vector<std::pair<double, double>>& points) {
+  const BaselineCurve curve(points, -0.5);
+  return {curve, curve, curve};
+}
+
+StudyRun with_interval(StudyRun run, double low, double high) {
+  run.errors[key].low = low, run.errors[key].high = high;
+  return run;
+}
+
 TEST(BaselineCurve, InterpolatesInLogLogAndContinuesWithTheSlope) {
   const BaselineCurve curve({{4.0, 0.1}, {1.0, 0.2}}, -0.5);
   EXPECT_NEAR(curve.seconds_at(0.2)->seconds, 1.0, 1e-12);
@@ -61,7 +72,7 @@ TEST(BaselineCurve, SaysNothingWithoutPointsOrSlope) {
 }
 
 TEST(SpeedUp, OfAnErrorThatIsNotResolvedIsALowerBound) {
-  const BaselineCurve curve({{1.0, 0.2}, {4.0, 0.1}}, -0.5);
+  const Baseline curve = exact_baseline({{1.0, 0.2}, {4.0, 0.1}});
   StudyRun run = run_of("a", "m", "m", 1.0, 1e-6);
   run.errors[key].resolved = false;
   run.errors[key].low = 0.0, run.errors[key].high = 0.05;
@@ -74,7 +85,7 @@ TEST(SpeedUp, OfAnErrorThatIsNotResolvedIsALowerBound) {
 }
 
 TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
-  const BaselineCurve curve({{1.0, 0.2}, {4.0, 0.1}}, -0.5);
+  const Baseline curve = exact_baseline({{1.0, 0.2}, {4.0, 0.1}});
   StudyRun run = run_of("a", "m", "m", 1.0, 0.1);
   EXPECT_FALSE(speed_up(curve, run, {Domain::image, Component::indirect, "relative_rmse"}));
   run.status = RunStatus::timed_out;
@@ -82,6 +93,32 @@ TEST(SpeedUp, AbsentForWhatWasNotMeasured) {
   run.status = RunStatus::done;
   run.seconds.clear();
   EXPECT_FALSE(speed_up(curve, run, key));
+}
+
+TEST(SpeedUp, HasTheIntervalOfTheRunsError) {
+  const Baseline curve = exact_baseline({{1.0, 0.2}, {4.0, 0.1}});
+  const auto speed = speed_up(curve, with_interval(run_of("a", "m", "m", 0.1, 0.1), 0.05, 0.2), key);
+  EXPECT_NEAR(speed->factor, 40.0, 1e-9);
+  EXPECT_NEAR(*speed->low, 10.0, 1e-9);
+  EXPECT_NEAR(*speed->high, 160.0, 1e-9);
+}
+
+TEST(SpeedUp, AnErrorThatMayBeNothingHasNoHighEnd) {
+  const Baseline curve = exact_baseline({{1.0, 0.2}, {4.0, 0.1}});
+  const ErrorKey bias{Domain::surface, Component::indirect, "bias"};
+  StudyRun run = run_of("a", "m", "m", 0.1, 0.1);
+  run.errors[bias] = {.value = 0.1, .low = -0.05, .high = 0.2, .noise_floor = {}};
+  const auto speed = speed_up(curve, run, bias);
+  EXPECT_NEAR(*speed->low, 10.0, 1e-9);
+  EXPECT_FALSE(speed->high);
+}
+
+TEST(SpeedUp, HasTheIntervalsOfThePathTracersErrors) {
+  const Study study = study_of({"a"}, {with_interval(run_of("a", "pathtracer", "pt", 4.0, 0.1), 0.08, 0.12)});
+  const auto speed = speed_up(baseline_of(study, "a", key, ""), with_interval(run_of("a", "m", "m", 1.0, 0.1), 0.1, 0.1), key);
+  EXPECT_NEAR(speed->factor, 4.0, 1e-9);
+  EXPECT_NEAR(*speed->low, 4.0 * 0.64, 1e-9);
+  EXPECT_NEAR(*speed->high, 4.0 * 1.44, 1e-9);
 }
 
 TEST(TransportSeconds, AddsTheStagesOfTheDomain) {
@@ -113,6 +150,25 @@ TEST(Ranking, GeometricMeanRanksAndFront) {
   EXPECT_NEAR(*row_of(rows, "pt 1").geometric_mean, 1.0, 1e-12);
 }
 
+TEST(Ranking, TheGeometricMeanHasItsIntervalAndItsMarks) {
+  const Study study =
+      study_of({"a", "b"}, {run_of("a", "pathtracer", "pt", 1.0, 0.2), run_of("b", "pathtracer", "pt", 1.0, 0.2),
+                            with_interval(run_of("a", "m", "m", 0.1, 0.2), 0.1, 0.4),
+                            with_interval(run_of("b", "m", "m", 0.1, 0.1), 0.05, 0.2)});
+  const auto rows = rank(study, key);
+  const RankingRow& m = row_of(rows, "m");
+  EXPECT_NEAR(*m.geometric_mean, 20.0, 1e-9);  // 10 and 40
+  // Each scene's factor may be four times less or more: log(4) * sqrt(2) / 2 of the mean.
+  const double spread = std::exp(std::log(4.0) / std::sqrt(2.0));
+  EXPECT_NEAR(*m.mean_low, 20.0 / spread, 1e-9);
+  EXPECT_NEAR(*m.mean_high, 20.0 * spread, 1e-9);
+  EXPECT_TRUE(m.extrapolated);
+  const Table table = ranking_table(study, key, rows);
+  EXPECT_EQ(table.rows[0][2].text, "20.0× [7.50, 53.3] *");
+  EXPECT_NE(to_csv(table).find("geometric_mean_speed_up,geometric_mean_ci95_low,geometric_mean_ci95_high"), std::string::npos);
+  EXPECT_EQ(to_markdown(table).find("ci95"), std::string::npos);
+}
+
 TEST(Ranking, MoreAnsweredScenesComeFirstAndFailuresAreCounted) {
   StudyRun refused = run_of("b", "m", "m", 0.0, 0.0);
   refused.status = RunStatus::refused;
@@ -124,13 +180,27 @@ TEST(Ranking, MoreAnsweredScenesComeFirstAndFailuresAreCounted) {
   EXPECT_EQ(row_of(rows, "m").compared, 1);
   EXPECT_EQ(row_of(rows, "m").not_done, 1);
   const Table table = ranking_table(study, key, rows);
-  EXPECT_EQ(table.rows.back().back().text, "refused");
+  EXPECT_EQ(shown(table).rows.back().back().text, "refused");
 }
 
 TEST(Ranking, RunsOfOneLabelOnOneSceneKeepTheirOwnRows) {
   const Study study = study_of(
       {"a"}, {run_of("a", "pathtracer", "pt", 1.0, 0.2), run_of("a", "m", "m", 0.5, 0.1), run_of("a", "m", "m", 0.25, 0.1)});
   EXPECT_EQ(rank(study, key).size(), 3U);
+}
+
+TEST(Ranking, RunsAreComparedWithThePathTracerOnTheirOwnMachine) {
+  Study study = study_of({"a"}, {run_of("a", "pathtracer", "slow", 4.0, 0.1), run_of("a", "pathtracer", "fast", 1.0, 0.1),
+                                 run_of("a", "m", "on slow", 0.5, 0.1), run_of("a", "m", "on fast", 0.5, 0.1),
+                                 run_of("a", "m", "elsewhere", 0.5, 0.1)});
+  for (const std::size_t run : {0U, 2U}) study.runs[run].machine = "slow";
+  for (const std::size_t run : {1U, 3U}) study.runs[run].machine = "fast";
+  study.runs[4].machine = "another";
+  const auto rows = rank(study, key);
+  EXPECT_NEAR(row_of(rows, "on slow").scenes[0].speed_up->factor, 8.0, 1e-9);
+  EXPECT_NEAR(row_of(rows, "on fast").scenes[0].speed_up->factor, 2.0, 1e-9);
+  EXPECT_FALSE(row_of(rows, "elsewhere").scenes[0].speed_up);
+  EXPECT_EQ(study.machines(), (std::vector<std::string>{"slow", "fast", "another"}));
 }
 
 TEST(Ranking, WithoutPathTracerThereAreRanksButNoSpeedUps) {

@@ -1,0 +1,61 @@
+#include "common/geometry/camera_sight.h"
+
+#include <array>
+#include <cmath>
+
+#include "common/core/vec.h"
+#include "common/core/sampling.h"
+
+namespace gibench {
+
+namespace {
+
+constexpr std::size_t reflection_rays = 16;
+
+}  // namespace
+
+CameraView::CameraView(const Camera& camera)
+    : position(camera.position),
+      forward(glm::normalize(camera.look_at - camera.position)),
+      right(glm::normalize(glm::cross(forward, camera.up))),
+      up(glm::cross(right, forward)),
+      half_height(std::tan(0.5F * camera.vertical_fov_degrees * pi / 180.0F)) {
+  half_width = half_height * static_cast<float>(camera.width) / static_cast<float>(camera.height);
+}
+
+bool CameraView::in_picture(const Vec3& point) const {
+  const Vec3 away = point - position;
+  const float depth = glm::dot(away, forward);
+  return depth > 0.0F && std::abs(glm::dot(away, right)) <= depth * half_width && std::abs(glm::dot(away, up)) <= depth * half_height;
+}
+
+std::vector<CameraView> camera_views(const Scene& scene) { return {scene.cameras.begin(), scene.cameras.end()}; }
+
+bool CameraSight::sees(const SurfaceSample& sample) const {
+  for (const CameraView& view : views_) {
+    if (!view.in_picture(sample.position) || !(glm::dot(view.position - sample.position, sample.normal) > 0.0F)) continue;
+    const Vec3 origin = world_.ray_origin(sample);
+    if (!world_.rays().occluded({origin, 0.0F, view.position - origin, 1.0F})) return true;
+  }
+  return false;
+}
+
+bool CameraSight::sees_reflection_to(const SurfaceSample& sample, RandomStream& random) const {
+  std::array<Ray, reflection_rays> rays;
+  std::array<Hit, reflection_rays> hits;
+  const Frame frame(sample.normal);
+  const Vec3 origin = world_.ray_origin(sample);
+  for (Ray& ray : rays) {
+    const float u = random.next_float(), v = random.next_float();
+    ray = {origin, 0.0F, frame.to_world(cosine_hemisphere({u, v}))};
+  }
+  world_.rays().closest_hits(rays, hits);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!hits[i]) continue;
+    const SurfaceSample reflector = world_.sample_of_hit(hits[i], rays[i].direction);
+    if (reflector.lit_side && sees(reflector)) return true;
+  }
+  return false;
+}
+
+}  // namespace gibench

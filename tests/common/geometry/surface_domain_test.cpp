@@ -1,0 +1,91 @@
+#include "common/geometry/surface_domain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/error.h"
+#include "common/geometry/surface_sampling.h"
+#include "common/scene/made_scenes.h"
+
+namespace gibench {
+namespace {
+
+/// Two closed rooms side by side, a camera in the first, and a large ground plane below both that no camera sees.
+Scene two_rooms(bool with_camera = true) {
+  made::SceneBuilder builder;
+  const auto white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("lit", white, {0, 0, 0}, {1, 1, 1}).room("dark", white, {2, 0, 0}, {3, 1, 1});
+  builder.block("block", white, {0.4F, 0.0F, 0.4F}, {0.6F, 0.2F, 0.6F});
+  builder.quad("ground", white, {Vec3(-50, -1, 50), Vec3(50, -1, 50), Vec3(50, -1, -50), Vec3(-50, -1, -50)});
+  Camera camera;
+  camera.name = "view";
+  camera.position = {0.5F, 0.5F, 0.95F}, camera.look_at = {0.5F, 0.5F, 0.0F}, camera.up = {0, 1, 0};
+  camera.vertical_fov_degrees = 110.0F;
+  if (with_camera) builder.camera(camera);
+  return builder.build("two rooms");
+}
+
+std::size_t count_on(const World& world, const std::vector<SurfaceSample>& samples, const std::string& object) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      samples, [&](const SurfaceSample& sample) { return world.scene().objects[sample.object].name == object; }));
+}
+
+TEST(SurfaceDomain, TextsAndDefaults) {
+  const Scene scene = two_rooms(), blind = two_rooms(false);
+  EXPECT_EQ(to_string(surface_domain_of("", scene, "here")), "seen");
+  EXPECT_EQ(to_string(surface_domain_of("", blind, "here")), "all");
+  EXPECT_EQ(to_string(surface_domain_of("all", scene, "here")), "all");
+  EXPECT_EQ(to_string(surface_domain_of("lit,block", scene, "here")), "lit,block");
+  EXPECT_THROW(surface_domain_of("seen", blind, "here"), InputError);
+  EXPECT_THROW(surface_domain_of("lit,lamp", scene, "here"), InputError);
+}
+
+TEST(SurfaceDomain, GeometryThatNobodySeesIsLeftOut) {
+  const World world(two_rooms(), 1);
+  const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 4000, 1, 1);
+  EXPECT_GT(count_on(world, all, "ground"), 3900U);
+  const auto seen = domain_samples(world, {SurfaceDomain::Kind::seen, {}}, 4000, 1, 1);
+  ASSERT_EQ(seen.size(), 4000U);
+  EXPECT_EQ(count_on(world, seen, "ground") + count_on(world, seen, "dark"), 0U);
+  EXPECT_EQ(count_on(world, seen, "lit") + count_on(world, seen, "block"), 4000U);
+}
+
+TEST(SurfaceDomain, WhatTheCameraSeesIsSampledUniformlyByArea) {
+  const World world(two_rooms(), 1);
+  const auto seen = domain_samples(world, {SurfaceDomain::Kind::seen, {}}, 20000, 2, 1);
+  // All of the room is seen, or reached from what is seen: 6 m² less the ground of the block, and five faces of the block, one
+  // of which (its bottom) touches the floor and is reached by nothing.
+  const double block = 0.04 + 4 * 0.2 * 0.2, room = 6.0 - 0.04, share = block / (block + room);
+  const double count = static_cast<double>(count_on(world, seen, "block"));
+  EXPECT_NEAR(count / 20000.0, share, 4.0 * std::sqrt(share / 20000.0));
+  const auto under = std::ranges::count_if(seen, [&](const SurfaceSample& sample) {
+    return std::abs(sample.position.y + world.scene().origin.y) < 1e-4 && std::abs(sample.position.x + world.scene().origin.x - 0.5) < 0.099 &&
+           std::abs(sample.position.z + world.scene().origin.z - 0.5) < 0.099;
+  });
+  EXPECT_EQ(under, 0);
+}
+
+TEST(SurfaceDomain, ObjectsByName) {
+  const World world(two_rooms(), 1);
+  const auto samples = domain_samples(world, {SurfaceDomain::Kind::objects, {"dark"}}, 500, 1, 1);
+  EXPECT_EQ(count_on(world, samples, "dark"), 500U);
+}
+
+TEST(SurfaceDomain, TheSameForAnyNumberOfThreads) {
+  const World world(two_rooms(), 1);
+  const auto one = domain_samples(world, {SurfaceDomain::Kind::seen, {}}, 1000, 3, 1);
+  const auto two = domain_samples(world, {SurfaceDomain::Kind::seen, {}}, 1000, 3, 2);
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].position, two[i].position);
+}
+
+TEST(SurfaceDomain, AllIsWhatAreaUniformSamplesGive) {
+  const World world(two_rooms(), 1);
+  const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 300, 5, 2), plain = area_uniform_samples(world, 300, 5);
+  for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(all[i].position, plain[i].position);
+}
+
+}  // namespace
+}  // namespace gibench
