@@ -38,7 +38,7 @@ TEST(Completion, OffersVerbsOptionsAndNames) {
   EXPECT_THAT(offered(shop, {"re"}), ElementsAre("reference", "relight", "report"));
   EXPECT_THAT(offered(shop, {"--"}), ElementsAre("--help", "--version"));
   EXPECT_THAT(offered(shop, {"run", "cornell-b"}), ElementsAre("cornell-box", ":files"));
-  EXPECT_THAT(offered(shop, {"run", "cornell-box", "--surf"}), ElementsAre("--surface-samples"));
+  EXPECT_THAT(offered(shop, {"run", "cornell-box", "--surface-s"}), ElementsAre("--surface-samples"));
   EXPECT_THAT(offered(shop, {"run", "cornell-box", ""}), Contains("--method"));
   EXPECT_THAT(offered(shop, {"run", "--quiet", "--q"}), ElementsAre()) << "given already";
   EXPECT_THAT(offered(shop, {"run", "room", "--set", "a=1", "--se"}), ElementsAre("--seed", "--set")) << "may be given again";
