@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 
@@ -128,6 +129,33 @@ TEST(PathTracer, ContinuesASequenceWhereItStopped) {
   }
 }
 
+TEST(PathTracer, JoinsThePathsOfAValueThatTakesSeveralBatches) {
+  const Tracer whole(made::box_scene(), {{"samples", "5000"}});
+  const Tracer first(made::box_scene(), {{"samples", "1500"}});
+  const Tracer rest(made::box_scene(), {{"samples", "3500"}, {"first_sample", "1500"}});
+  const Values all = whole.irradiance(3), a = first.irradiance(3), b = rest.irradiance(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Rgb joined = a.indirect[i] * 0.3F + b.indirect[i] * 0.7F;
+    EXPECT_NEAR(joined.g, all.indirect[i].g, 1e-5F * all.indirect[i].g);
+    EXPECT_GT(all.total_variance[i].g, 0.0F);
+  }
+}
+
+TEST(PathTracer, ReportsAfterAMillionPathsHoweverManyAValueHas) {
+  // Sums for each batch of all 4 · 10⁹ paths would take 2 GB before the first report.
+  const Tracer tracer(plate(mirror(1.0F)), {{"samples", "4294967295"}});
+  const SurfaceSample sample = tracer.world().sample_at(0, {0.3F, 0.3F}, {0, 0, 1});
+  TaskSettings settings;
+  settings.cancel = std::make_shared<std::atomic<bool>>(false);
+  settings.on_progress = [&](const ProgressPoint&) { settings.cancel->store(true); };
+  Task task(settings);
+  std::vector<Rgb> direct(1);
+  const StageReport report = tracer.method().shade({Quantity::accessibility, {&sample, 1}, {}}, {direct, {}, {}, {}, {}}, task);
+  EXPECT_EQ(report.termination, Termination::cancelled);
+  EXPECT_GT(task.counters()["occlusion_rays"], 0U);
+  EXPECT_LE(task.counters()["occlusion_rays"], 1U << 20U);
+}
+
 TEST(PathTracer, TellsItsVariance) {
   // Over many seeds: the scatter of a value is the mean of the variances that it reported, for both parts and their sum.
   const Tracer tracer(made::box_scene(), {{"samples", "64"}, {"replicates", "16"}});
@@ -200,6 +228,16 @@ TEST(PathTracer, GivesEachPartAlone) {
       succeeded(tracer.method().shade({Quantity::irradiance, samples, {}}, {{}, indirect, {}, {}, {}}, task).termination));
   EXPECT_EQ(direct, both.direct);
   EXPECT_EQ(indirect, both.indirect);
+}
+
+TEST(PathTracer, ASunTakesNothingFromTheSky) {
+  // Where nothing is hidden, each of them alone is exact; so are the two together.
+  Scene scene = plate(Material());
+  scene.lights.emplace_back(DirectionalLight{glm::normalize(Vec3(1.0F, 0.0F, -2.0F)), Rgb(30.0F)});
+  const Tracer tracer(scene, {{"samples", "16"}});
+  const Values values = tracer.irradiance(20);
+  const float truth = pi + 30.0F * 2.0F / std::sqrt(5.0F);
+  for (const Rgb& value : values.direct) EXPECT_NEAR(value.g, truth, 1e-5F * truth);
 }
 
 TEST(PathTracer, AMirrorThatIsAskedShowsWhatItSees) {
