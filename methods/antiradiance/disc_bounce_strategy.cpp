@@ -16,8 +16,8 @@ class DiscBounceStrategy : public LinkedStrategy {
  private:
   Visibility visibility(const EffectPlan&, bool /*hides*/) const override { return Visibility::shadow_passes; }
 
-  Interreflection solve(const World&, const EffectPlan&, std::span<const std::uint32_t> /*materials*/, Surfaces& surfaces,
-                        std::span<const Rgb> direct, Task& task) override {
+  Interreflection solve(const World&, const EffectPlan&, const PlannedLights&, std::span<const std::uint32_t> /*materials*/,
+                        Surfaces& surfaces, std::span<const Rgb> direct, Task& task) override {
     const PatchTransport transport(parts().hierarchy, linking().links);
     const std::vector<Rgb> fronts = products(direct, surfaces.albedo);
     std::vector<Rgb> received(direct.size()), before, backs;

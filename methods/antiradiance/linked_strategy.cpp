@@ -5,6 +5,7 @@
 #include "common/core/random.h"
 #include "common/effects/arrangement.h"
 #include "methods/antiradiance/pull.h"
+#include "methods/antiradiance/report_message.h"
 #include "methods/antiradiance/sources.h"
 
 namespace gibench::antiradiance {
@@ -61,7 +62,11 @@ void LinkedStrategy::link(const World& world, const EffectPlan& plan, std::span<
   if (linking_.bins) task.count("bins", linking_.bins->count());
   task.progress("form factors", 0.6);
   if (task.cancelled()) return;
-  closure_ = closure_factors(*parts_, linking_, settings(), task);
+  Closure closure = closure_factors(*parts_, linking_, settings(), task);
+  if (closure.iterations > 0) task.count("closure_iterations", static_cast<std::uint64_t>(closure.iterations));
+  report.termination = closure.termination;
+  add_message(closure.message, report);
+  closure_ = std::move(closure.factors);
 }
 
 void LinkedStrategy::light(const World& world, const EffectPlan& plan, const PlannedLights& lights, Task& task,
@@ -88,10 +93,9 @@ void LinkedStrategy::light(const World& world, const EffectPlan& plan, const Pla
     if (!succeeded(report.termination) || task.cancelled()) return;
   }
   surfaces.closure = closure_;
-  const Interreflection solved = solve(world, plan, materials, surfaces, direct, task);
+  const Interreflection solved = solve(world, plan, lights, materials, surfaces, direct, task);
   report.termination = solved.termination;
-  report.message =
-      report.message.empty() || solved.message.empty() ? report.message + solved.message : report.message + "; " + solved.message;
+  add_message(solved.message, report);
   task.count("iterations", static_cast<std::uint64_t>(solved.iterations));
   std::vector<Rgb> means(parts_->elements.size());
   for (std::size_t leaf = 0; leaf < solved.irradiance.size(); ++leaf)
@@ -99,8 +103,9 @@ void LinkedStrategy::light(const World& world, const EffectPlan& plan, const Pla
   indirect_ = parts_->reconstruction.vertex_values(means);
 }
 
-Interreflection LinkedStrategy::solve(const World&, const EffectPlan&, std::span<const std::uint32_t> /*materials*/,
-                                      Surfaces& surfaces, std::span<const Rgb> direct, Task& task) {
+Interreflection LinkedStrategy::solve(const World&, const EffectPlan&, const PlannedLights&,
+                                      std::span<const std::uint32_t> /*materials*/, Surfaces& surfaces,
+                                      std::span<const Rgb> direct, Task& task) {
   return interreflect(*parts_, linking_, settings(), surfaces, direct, task);
 }
 

@@ -27,8 +27,9 @@ class LinkedStrategy : public Strategy {
   virtual void clear_all() {}
   virtual void clear_light() {}
   /// The elements' indirect light; `materials` of the leaves.
-  virtual Interreflection solve(const World& world, const EffectPlan& plan, std::span<const std::uint32_t> materials,
-                                Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
+  virtual Interreflection solve(const World& world, const EffectPlan& plan, const PlannedLights& lights,
+                                std::span<const std::uint32_t> materials, Surfaces& surfaces, std::span<const Rgb> direct,
+                                Task& task);
   /// Light other than diffuse that an element's surface sends towards the viewer, W/(m² sr).
   virtual Rgb lobe_radiance(const World&, std::uint32_t /*element*/, const SurfaceSample&, const Vec3& /*toward_viewer*/) const {
     return {};

@@ -46,7 +46,7 @@ TEST(Links, OfAClosedRoomSumToOneEverywhere) {
     squares += std::pow(static_cast<double>(sum.g) - 1.0, 2.0);
   }
   EXPECT_LT(std::sqrt(squares / static_cast<double>(sums.size())), 0.02);
-  const std::vector<float> closure = closure_factors(parts, linking, rule, task);
+  const std::vector<float> closure = closure_factors(parts, linking, rule, task).factors;
   for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(sums[i].g * closure[i], 1.0F, 1e-5F);
 }
 
@@ -113,6 +113,18 @@ TEST(Links, RadiosityOracleSpendsLinksWhereLightIs) {
     return count / static_cast<double>(table.size());
   };
   EXPECT_GT(from_bright(some), 1.5 * from_bright(all));
+}
+
+TEST(Links, WhoseSumsDoNotConvergeAreReported) {
+  const World world(made::box_scene());
+  Task task;
+  const Settings rule = settings({{"elements", "300"}, {"bins", "4"}, {"most_iterations", "1"}, {"residual", "1e-7"}});
+  const Discretisation parts(world, rule, task);
+  const Linking linking = make_linking(world, parts, rule, Visibility::antiradiance, {}, task);
+  const Closure closure = closure_factors(parts, linking, rule, task);
+  EXPECT_EQ(closure.termination, Termination::not_converged);
+  EXPECT_TRUE(closure.factors.empty());
+  EXPECT_NE(closure.message.find("most_iterations"), std::string::npos) << closure.message;
 }
 
 TEST(Accessibility, IsAHalfAtTheFootOfATallWall) {
