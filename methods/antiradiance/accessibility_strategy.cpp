@@ -39,7 +39,7 @@ class AccessibilityStrategy : public Strategy {
     DirectLightOptions options;
     options.tests_visibility = lights.direct.options().tests_visibility;
     options.glossy = !plan.forbids(Effect::glossy_final_bounce);
-    sky_.emplace(world, lights.lighting, options);
+    sky_.emplace(world, lights.lighting, options, accessibility_->sectors());
   }
 
   void shade(const World& world, const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const override {
