@@ -25,11 +25,13 @@ class AccessibilityStrategy : public Strategy {
     return can;
   }
 
-  void prepare(const World& world, const EffectPlan&, Task& task, StageReport&) override {
+  void prepare(const World& world, const EffectPlan&, Task& task, StageReport& report) override {
     accessibility_.reset();
     parts_.reset();
-    parts_ = make_elements(world, settings(), task);
-    if (task.cancelled()) return;
+    // Two tables of two nodes an element, and the leaves of a third.
+    const double table_bytes = 5.0 * sizeof(float) * settings().sectors * settings().sectors;
+    parts_ = make_elements(world, settings(), table_bytes, task, report);
+    if (!parts_ || task.cancelled()) return;
     accessibility_.emplace(parts_->elements, parts_->hierarchy, settings().far_enough, settings().sectors);
     accessibility_->compute(settings().passes, task);
     task.count("blockers", accessibility_->evaluations());
