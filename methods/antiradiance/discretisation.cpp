@@ -70,7 +70,8 @@ Discretisation::Discretisation(const World& world, const Settings& settings, Tas
 
 Discretisation::Discretisation(const World& world, SamplingMesh made, const Settings& settings, Task& task)
     : mesh(std::move(made)),
-      elements(world, mesh, settings.cell_points, {settings.backface_rays, settings.mode == Mode::antiradiance}, task),
+      elements(world, mesh, settings.cell_points,
+               {settings.backface_rays, settings.backface_rays > 0 && settings.mode == Mode::antiradiance}, task),
       surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
       hierarchy(elements,
                 settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},

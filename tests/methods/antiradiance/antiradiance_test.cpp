@@ -16,6 +16,7 @@
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
 #include "common/scene/made_scenes.h"
+#include "methods/antiradiance/settings.h"
 
 namespace gibench {
 namespace {
@@ -159,6 +160,25 @@ TEST(Antiradiance, NegativeAnswersAreClampedAndCounted) {
   const auto samples = solved.samples_of_object(3, 20000);
   for (const Rgb& value : solved.irradiance(samples)) EXPECT_EQ(value, Rgb());
   EXPECT_EQ(solved.shaded.counters["answers_clamped"], samples.size());
+}
+
+/// The text's elements and links need no ray; its accessibility blends the first two passes of sides alone.
+TEST(Antiradiance, PaperPresetLeavesOutWhatTheTextDoesNotHave) {
+  const MethodEntry entry = antiradiance_entry();
+  const Setting paper = with_preset(entry.presets, "paper", {{"elements", "300"}});
+  for (const char* mode : {"accessibility", "disc-bounce", "implicit", "antiradiance"}) {
+    Setting setting = paper;
+    setting.emplace_back("mode", mode);
+    Solved solved(made::box_scene(), setting);
+    EXPECT_TRUE(succeeded(solved.prepared.termination)) << solved.prepared.message;
+    EXPECT_EQ(solved.prepared.counters["closest_hit_rays"], 0U) << mode;
+    EXPECT_EQ(solved.prepared.counters["occlusion_rays"], 0U) << mode;
+  }
+  const antiradiance::Settings settings = antiradiance::settings_from(Parameters(entry.schema, paper));
+  EXPECT_EQ(settings.passes, 2);
+  EXPECT_EQ(settings.sectors, 1);
+  EXPECT_EQ(settings.bin_winner, antiradiance::BinWinner::links);
+  EXPECT_FALSE(settings.near_cells);
 }
 
 TEST(Antiradiance, ConvexRoomKeepsNoDirectionsAndTracesNoVisibility) {
