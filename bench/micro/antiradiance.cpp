@@ -146,8 +146,8 @@ double exponent(const std::vector<double>& sizes, const std::vector<double>& cos
   return above / below;
 }
 
-/// Two passes over 1 k to `range(0)` k elements, four times as many each: `exponent_of_seconds` and `exponent_of_blockers` are
-/// fitted to all sizes; n log n alone would give about 1.1.
+/// The default's passes, two of which go over all elements, with 1 k to `range(0)` k elements, four times as many each:
+/// `exponent_of_seconds` and `exponent_of_blockers` are fitted to all sizes; n log n alone would give about 1.1.
 void accessibility(benchmark::State& state) {
   const World world(made::box_scene());
   for (auto _ : state) {
@@ -157,7 +157,7 @@ void accessibility(benchmark::State& state) {
       const Discretisation parts(world, settings_for(elements, false), task);
       Accessibility passes(parts.elements, parts.hierarchy, 0.02F);
       const double start = process_seconds();
-      passes.compute(2, task);
+      passes.compute(3, task);
       seconds.push_back(process_seconds() - start);
       sizes.push_back(static_cast<double>(parts.hierarchy.leaf_count()));
       blockers.push_back(static_cast<double>(passes.evaluations()));
@@ -179,6 +179,37 @@ void hierarchy(benchmark::State& state) {
   scaling.report(state, "elements", static_cast<double>(parts.elements.size()) * static_cast<double>(state.iterations()));
 }
 BENCHMARK(hierarchy)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Tiles on a floor and a ceiling, of `objects` objects: what the number of objects costs with the same 4 k elements.
+void objects(benchmark::State& state) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  const auto count = static_cast<int>(state.range(0));
+  const float size = 32.0F / static_cast<float>(count);
+  for (int i = 0; i < count; ++i) {
+    const float x = size * static_cast<float>(i / 2), y = i % 2 == 0 ? 0.0F : 4.0F, w = 0.95F * size;
+    const std::array<Vec3, 4> tile{Vec3(x, y, 0.0F), Vec3(x, y, 8.0F), Vec3(x + w, y, 8.0F), Vec3(x + w, y, 0.0F)};
+    builder.quad("tile " + std::to_string(i), white, i % 2 == 0 ? tile : std::array{tile[0], tile[3], tile[2], tile[1]});
+  }
+  const World world(builder.build("tiles"));
+  Task task = task_with(2);
+  const Discretisation parts(world, settings_for(4096, false), task);
+  for (auto _ : state) {
+    RefinementCounts counts;
+    const double start = process_seconds();
+    const LinkTable table = make_links(parts.hierarchy, {Facing::both, 0.01F}, task, counts);
+    const double linked = process_seconds();
+    Accessibility accessibility(parts.elements, parts.hierarchy, 0.02F, 8);
+    accessibility.compute(3, task);
+    state.counters["cpu_seconds_links"] = linked - start;
+    state.counters["cpu_seconds_accessibility"] = process_seconds() - linked;
+    state.counters["pairs_a_link"] = static_cast<double>(counts.pairs) / static_cast<double>(table.size());
+    state.counters["elements"] = static_cast<double>(parts.hierarchy.leaf_count());
+    state.counters["blockers_an_element"] =
+        static_cast<double>(accessibility.evaluations()) / static_cast<double>(parts.hierarchy.leaf_count());
+  }
+}
+BENCHMARK(objects)->Arg(10)->Arg(100)->Arg(1000)->ArgName("objects")->Iterations(1)->Unit(benchmark::kMillisecond);
 
 /// Everything before the links, from 4 k to 256 k elements: CPU seconds of the whole discretisation with its rays, and of the
 /// hierarchy; both should grow as n log n.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "common/method/task.h"
@@ -23,19 +24,21 @@ class Accessibility {
   /// The elements and the hierarchy must outlive this object.
   Accessibility(const Elements& elements, const Hierarchy& hierarchy, float far_enough, int sectors = 1);
 
-  /// Every pass takes off what blocks, each blocker scaled by the accessibility that the pass before gave the side of it that
-  /// looks away from the receiver, in the sector that the light would come from: light that does not reach a blocker is not
-  /// blocked by it. The last two passes are averaged.
+  /// Makes ready for answers of so many passes. In the first, whatever is in the way blocks; every further one scales each
+  /// blocker by the accessibility that the pass before gave the side of it that looks away from the receiver, in the sector that
+  /// the light would come from: light that does not reach a blocker is not blocked by it.
   void compute(int passes, Task& task);
 
-  /// At a point with a unit normal, from what the passes found; `own` is left out (no_element: none).
-  float at(const Vec3& point, const Vec3& normal, std::uint32_t own = no_element) const;
+  /// At a point with a unit normal: the mean of what the last two passes find (of one pass, that alone); `own` is left out
+  /// (no_element: none). `open`, one for each sector or empty: how much of the hemisphere is open, sector by sector, each
+  /// between nothing and all that the sector fills of it.
+  float at(const Vec3& point, const Vec3& normal, std::uint32_t own = no_element, std::span<float> open = {}) const;
 
-  /// Of a leaf's front or back, all sectors together, [0, 1].
-  float of_side(std::size_t leaf, bool front) const;
-  /// Blockers looked at in all passes.
+  /// By where light comes from; none where a side is one sector.
+  const DirectionBins* sectors() const { return bins_ ? &*bins_ : nullptr; }
+  /// Blockers looked at in all passes of compute().
   std::uint64_t evaluations() const { return evaluations_; }
-  std::size_t bytes() const { return (leaves_.capacity() + nodes_.capacity()) * sizeof(float); }
+  std::size_t bytes() const { return (before_.capacity() + last_.capacity()) * sizeof(float); }
 
  private:
   /// Some sectors and how much of a direction is in each.
@@ -44,15 +47,7 @@ class Accessibility {
     std::array<float, 4> share{};
   };
   /// What blocks a side of a surface, sector by sector, shares of the hemisphere.
-  struct Blocked {
-    explicit Blocked(std::size_t sectors) : scaled(sectors), most(sectors), sheet{scaled, scaled} {}
-    std::vector<float> scaled;                ///< each blocker by its accessibility
-    std::vector<float> most;                  ///< the most that one sheet blocks, whatever lies behind it
-    std::array<std::vector<float>, 2> sheet;  ///< that is being looked at: what of it shows its front, and its back
-    std::uint64_t evaluations = 0;
-    void start();
-    void end_sheet();
-  };
+  class Blocked;
   struct Receiver {
     Vec3 point, normal;
     float side = 1.0F;  ///< of the normal that looks around: ±1
@@ -65,21 +60,17 @@ class Accessibility {
   void side_shares(const Vec3& normal, std::span<float> shares) const;
   void block(const Receiver& receiver, Blocked& blocked) const;
   void block_by_tree(std::uint32_t root, const Receiver& receiver, Blocked& blocked) const;
-  void block_by_cell(const Node& leaf, const float* accessible, const Receiver& receiver, Blocked& blocked) const;
-  void add(float form_factor, const Vec3& direction, const Vec3& blocker, const float* accessible, const Receiver& receiver,
-           Blocked& blocked) const;
-  /// Of one sector: no less than one sheet by itself blocks. Sides alone are taken as in the text.
-  float of_sector(const Blocked& blocked, std::size_t s) const {
-    return bins_ ? std::max(blocked.scaled[s], blocked.most[s]) : blocked.scaled[s];
-  }
-  void pull();
+  void block_by_cell(std::uint32_t leaf, const Receiver& receiver, Blocked& blocked) const;
+  void add(float form_factor, const Vec3& direction, std::uint32_t blocker, const Receiver& receiver, Blocked& blocked) const;
+  std::vector<float> pulled(std::span<const float> leaves) const;
 
   const Elements& elements_;
   const Hierarchy& hierarchy_;
   float far_enough_;
   std::optional<DirectionBins> bins_;  ///< by where light comes from; none: the sides are the sectors
   std::size_t sectors_;
-  std::vector<float> leaves_, nodes_;  ///< rows of accessibilities, [0, 1]
+  bool blends_ = false;               ///< there is a pass before the last
+  std::vector<float> before_, last_;  ///< that the last two passes scale the nodes by, rows of sectors, [0, 1]; empty: one
   std::uint64_t evaluations_ = 0;
 };
 

@@ -25,11 +25,13 @@ class AccessibilityStrategy : public Strategy {
     return can;
   }
 
-  void prepare(const World& world, const EffectPlan&, Task& task, StageReport&) override {
+  void prepare(const World& world, const EffectPlan&, Task& task, StageReport& report) override {
     accessibility_.reset();
     parts_.reset();
-    parts_ = make_elements(world, settings(), task);
-    if (task.cancelled()) return;
+    // Two tables of two nodes an element, and the leaves of a third.
+    const double table_bytes = 5.0 * sizeof(float) * settings().sectors * settings().sectors;
+    parts_ = make_elements(world, settings(), table_bytes, task, report);
+    if (!parts_ || task.cancelled()) return;
     accessibility_.emplace(parts_->elements, parts_->hierarchy, settings().far_enough, settings().sectors);
     accessibility_->compute(settings().passes, task);
     task.count("blockers", accessibility_->evaluations());
@@ -39,7 +41,7 @@ class AccessibilityStrategy : public Strategy {
     DirectLightOptions options;
     options.tests_visibility = lights.direct.options().tests_visibility;
     options.glossy = !plan.forbids(Effect::glossy_final_bounce);
-    sky_.emplace(world, lights.lighting, options);
+    sky_.emplace(world, lights.lighting, options, accessibility_->sectors());
   }
 
   void shade(const World& world, const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const override {

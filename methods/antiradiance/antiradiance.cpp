@@ -1,6 +1,7 @@
 #include "methods/antiradiance/antiradiance.h"
 
 #include <memory>
+#include <vector>
 
 #include "common/geometry/has_area.h"
 #include "methods/antiradiance/settings.h"
@@ -48,21 +49,35 @@ class Antiradiance : public TransportMethod {
   EffectPlan plan_;
 };
 
+std::vector<Preset> presets() {
+  return {
+      {"paper",
+       "the text's own algorithm in every mode: a disc for every vertex, form factors of discs, no rays but for visibility in "
+       "mode=radiosity and direct light",
+       {{"crease_degrees", "180"},
+        {"backface_rays", "0"},
+        {"closure_rays", "0"},
+        {"near_field", "discs"},
+        {"bin_winner", "links"},
+        {"passes", "2"},
+        {"sectors", "1"}}}};
+}
+
 }  // namespace
 
 MethodEntry antiradiance_entry() {
   return {"antiradiance",
           "disc elements: accessibility, one disc bounce, and hierarchical radiosity with traced, implicit or no visibility",
           "course notes on finite elements at interactive rates, after Bunnell 2005, Dong et al. 2007, Dachsbacher et al. 2007, "
-          "Meyer et "
-          "al. 2009",
+          "Meyer et al. 2009",
           "C(<R[DG]>)*[LOB]",
           settings_schema(),
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Antiradiance>(settings_from(parameters));
           },
           {{"elements", "800"}, {"bins", "8"}, {"tolerance", "0.03"}, {"residual", "1e-5"}, {"far_enough", "0.05"}},
-          "mode"};
+          "mode",
+          presets()};
 }
 
 }  // namespace gibench

@@ -1,6 +1,8 @@
 #include <optional>
+#include <utility>
 
 #include "methods/antiradiance/bin_transport.h"
+#include "methods/antiradiance/glossy_sources.h"
 #include "methods/antiradiance/linked_strategy.h"
 
 namespace gibench::antiradiance {
@@ -30,7 +32,7 @@ class AntiradianceStrategy : public LinkedStrategy {
 
  private:
   static bool has_lobes(const EffectPlan& plan) {
-    return plan.simulated.contains(Effect::glossy_chain) || plan.simulated.contains(Effect::glossy_final_bounce);
+    return plan.simulates(Effect::glossy_chain) || plan.simulates(Effect::glossy_final_bounce);
   }
 
   /// Where nothing hides anything no directions are kept, unless lobes need them.
@@ -41,14 +43,21 @@ class AntiradianceStrategy : public LinkedStrategy {
   void clear_all() override { glossy_.reset(); }
   void clear_light() override { by_direction_.resize(0); }
 
-  Interreflection solve(const World& world, const EffectPlan& plan, std::span<const std::uint32_t> materials, Surfaces& surfaces,
-                        std::span<const Rgb> direct, Task& task) override {
+  Interreflection solve(const World& world, const EffectPlan& plan, const PlannedLights& lights,
+                        std::span<const std::uint32_t> materials, Surfaces& surfaces, std::span<const Rgb> direct,
+                        Task& task) override {
     if (has_lobes(plan) && linking().bins) {
       glossy_.emplace(world.scene(), materials, *linking().bins);
-      surfaces.glossy = &*glossy_;
+      surfaces.keeps_directions = plan.simulates(Effect::glossy_final_bounce);
+      if (plan.simulates(Effect::glossy_chain)) {
+        surfaces.glossy = &*glossy_;
+        surfaces.glossy_direct =
+            glossy_direct_radiance(world, {lights.lighting, lights.direct.options().tests_visibility, settings().direct_samples},
+                                   parts().elements, parts().hierarchy, *glossy_, *linking().bins, task);
+      }
     }
-    Interreflection solved = LinkedStrategy::solve(world, plan, materials, surfaces, direct, task);
-    by_direction_ = solved.by_direction;
+    Interreflection solved = LinkedStrategy::solve(world, plan, lights, materials, surfaces, direct, task);
+    by_direction_ = std::move(solved.by_direction);
     return solved;
   }
 

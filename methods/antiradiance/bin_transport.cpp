@@ -54,35 +54,42 @@ BinTransport::BinTransport(const Hierarchy& hierarchy, const LinkTable& links, c
       exitant_(hierarchy.size() * bins.count()),
       incident_(hierarchy.size() * bins.count()) {}
 
-void BinTransport::transport_diffuse(std::span<const Rgb> radiosity, Vector& incident, Task& task) {
+void BinTransport::transport_sources(std::span<const Rgb> radiosity, const Vector& lobes, Vector& incident, Task& task) {
+  const std::size_t count = bins_.count();
   task.parallel_chunks(hierarchy_.leaf_count(), leaf_chunk, [&](const ChunkRange& range) {
     for (std::size_t leaf = range.begin; leaf < range.end; ++leaf) {
       const std::uint32_t node = hierarchy_.leaf_node(leaf);
       const Rgb radiance = radiosity[leaf] / pi;
-      for (std::size_t b = 0; b < bins_.count(); ++b) {
+      const float* more = lobes.size() > 0 ? lobes.data() + leaf * count * 4 : nullptr;
+      for (std::size_t b = 0; b < count; ++b) {
         const bool front = glm::dot(hierarchy_.nodes()[node].normal, bins_.direction(b)) > 0.0F;
-        exitant(node)[b] = front ? Light4{{radiance.r, radiance.g, radiance.b, 0.0F}} : Light4{};
+        Light4 light = front ? Light4{{radiance.r, radiance.g, radiance.b, 0.0F}} : Light4{};
+        for (std::size_t c = 0; front && more != nullptr && c < 3; ++c) light.v[c] += more[4 * b + c];
+        exitant(node)[b] = light;
       }
     }
   });
   unoccluded(incident, task);
 }
 
-void BinTransport::transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy,
-                             Vector& incident, Task& task) {
-  local_pass(arriving, {true, albedo, glossy}, task);
+void BinTransport::transport_through(const Vector& arriving, Vector& incident, Task& task) {
+  local_pass(arriving, true, nullptr, task);
   unoccluded(incident, task);
 }
 
-void BinTransport::transport_reflected(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy,
-                                       Vector& incident, Task& task) {
-  local_pass(arriving, {false, albedo, glossy}, task);
+void BinTransport::transport(const Vector& arriving, const Reflection& reflection, Vector& incident, Task& task) {
+  local_pass(arriving, true, &reflection, task);
+  unoccluded(incident, task);
+}
+
+void BinTransport::transport_reflected(const Vector& arriving, const Reflection& reflection, Vector& incident, Task& task) {
+  local_pass(arriving, false, &reflection, task);
   unoccluded(incident, task);
 }
 
 /// K and J work on different hemispheres of what leaves: what arrives on the front is reflected on the front and goes
 /// through to the back. Light that arrives on a black back goes through to the front, as antiradiance beside the reflected.
-void BinTransport::local_pass(const Vector& arriving, const LocalRule& rule, Task& task) {
+void BinTransport::local_pass(const Vector& arriving, bool through, const Reflection* reflection, Task& task) {
   const std::size_t count = bins_.count();
   task.parallel_chunks(hierarchy_.leaf_count(), leaf_chunk, [&](const ChunkRange& range) {
     std::vector<float> projected(count);
@@ -95,20 +102,21 @@ void BinTransport::local_pass(const Vector& arriving, const LocalRule& rule, Tas
       Light4 front;
       for (std::size_t b = 0; b < count; ++b) {
         const bool on_front = projected[b] < 0.0F;
-        const float through = rule.through && (on_front || black_back) ? -1.0F / std::fabs(projected[b]) : 0.0F;
+        const float taken = through && (on_front || black_back) ? -1.0F / std::fabs(projected[b]) : 0.0F;
         for (std::size_t c = 0; c < 4; ++c) {
           const float light = in[4 * b + c];
           if (on_front) front.v[c] += light;
-          out[b].v[c] = through * light;
+          out[b].v[c] = taken * light;
         }
       }
-      if (rule.albedo.empty()) continue;
-      const Rgb reflected = Rgb(front.v[0], front.v[1], front.v[2]) * rule.albedo[leaf] / pi;
+      if (reflection == nullptr) continue;
+      const float closure = reflection->closure.empty() ? 1.0F : reflection->closure[leaf];
+      const Rgb reflected = Rgb(front.v[0], front.v[1], front.v[2]) * reflection->albedo[leaf] * (closure / pi);
       const Light4 radiance{{reflected.r, reflected.g, reflected.b, 0.0F}};
       for (std::size_t b = 0; b < count; ++b)
         if (projected[b] > 0.0F) add_scaled(out[b], radiance, 1.0F);
-      if (rule.glossy != nullptr && rule.glossy->is_glossy(leaf))
-        rule.glossy->reflect(leaf, hierarchy_.nodes()[node].normal, projected, in, out->v);
+      if (reflection->glossy != nullptr && reflection->glossy->is_glossy(leaf))
+        reflection->glossy->reflect(leaf, hierarchy_.nodes()[node].normal, projected, in, closure, out->v);
     }
   });
 }

@@ -20,6 +20,13 @@ struct alignas(16) Light4 {
   float v[4] = {0.0F, 0.0F, 0.0F, 0.0F};
 };
 
+/// K, at the leaves.
+struct Reflection {
+  std::span<const Rgb> albedo;               ///< diffuse, of the fronts
+  std::span<const float> closure;            ///< what is reflected of the light that the links bring; empty: all
+  const GlossyReflection* glossy = nullptr;  ///< further lobes
+};
+
 /// Two tables of nodes × bins: exitant radiance less antiradiance, W/(m² sr), by the way it travels, and incident irradiance,
 /// W/m², likewise. Of a leaf, bins on its front's side hold what leaves the front, those on the other side what leaves its
 /// back: both hemispheres share a row. Vectors are the leaves' rows of such a table, four floats a bin.
@@ -29,14 +36,15 @@ class BinTransport {
 
   Eigen::Index vector_size() const { return static_cast<Eigen::Index>(hierarchy_.leaf_count() * bins_.count() * 4); }
 
-  /// U of diffuse light: radiosities of the leaves' fronts, W/m².
-  void transport_diffuse(std::span<const Rgb> radiosity, Vector& incident, Task& task);
-  /// U (K − J): `albedo` of every leaf; empty: U (−J) alone. `glossy`: what else K has, may be null.
-  void transport(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident,
-                 Task& task);
+  /// U of light that comes from no link: radiosities of the leaves' fronts, W/m², and `lobes` on top of them, radiance by bin
+  /// (as the vectors are; empty: none).
+  void transport_sources(std::span<const Rgb> radiosity, const Vector& lobes, Vector& incident, Task& task);
+  /// U (−J): light that met something takes itself away behind it.
+  void transport_through(const Vector& arriving, Vector& incident, Task& task);
+  /// U (K − J).
+  void transport(const Vector& arriving, const Reflection& reflection, Vector& incident, Task& task);
   /// U K alone: the next bounce.
-  void transport_reflected(const Vector& arriving, std::span<const Rgb> albedo, const GlossyReflection* glossy, Vector& incident,
-                           Task& task);
+  void transport_reflected(const Vector& arriving, const Reflection& reflection, Vector& incident, Task& task);
 
   /// Irradiance on the fronts, W/m².
   void irradiance(const Vector& arriving, std::span<Rgb> fronts, Task& task) const;
@@ -46,12 +54,7 @@ class BinTransport {
   static std::size_t bytes_for(std::size_t leaves, std::size_t bins) { return 4 * leaves * bins * sizeof(Light4); }
 
  private:
-  struct LocalRule {
-    bool through;                 ///< J
-    std::span<const Rgb> albedo;  ///< of K; empty: none
-    const GlossyReflection* glossy;
-  };
-  void local_pass(const Vector& arriving, const LocalRule& rule, Task& task);
+  void local_pass(const Vector& arriving, bool through, const Reflection* reflection, Task& task);
   void pull(Task& task);
   /// Of the link's sender what gather() will read.
   void prefetch_sent(std::size_t link) const;

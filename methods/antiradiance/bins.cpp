@@ -66,6 +66,11 @@ DirectionBins::Place DirectionBins::place(const Vec3& direction) const {
   return result;
 }
 
+std::uint16_t DirectionBins::bin_of(const Place& place) const {
+  const auto largest = std::max_element(place.shares.begin(), place.shares.end()) - place.shares.begin();
+  return quads_[place.quad][static_cast<std::size_t>(largest)];
+}
+
 DirectionMask DirectionBins::mask(const Place& place, const Vec3& normal, float sign) const {
   const auto& bins = quads_[place.quad];
   std::array<float, 4> shares{};

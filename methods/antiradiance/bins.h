@@ -35,6 +35,9 @@ class DirectionBins {
   };
   Place place(const Vec3& direction) const;
   const std::array<std::uint16_t, 4>& bins_of(std::uint16_t quad) const { return quads_[quad]; }
+  /// The bin that a direction lies in.
+  std::uint16_t bin_of(const Vec3& direction) const { return bin_of(place(direction)); }
+  std::uint16_t bin_of(const Place& place) const;
 
   /// The mask of a direction on the side of `normal` (times `sign`) that it lies on: bins whose middle lies on the other side
   /// get nothing.

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "methods/antiradiance/bin_transport.h"
 #include "methods/antiradiance/exchange.h"
 #include "methods/antiradiance/implicit.h"
 #include "methods/antiradiance/near_directions.h"
 #include "methods/antiradiance/refinement.h"
+#include "methods/antiradiance/report_message.h"
 #include "methods/antiradiance/visibility.h"
 
 namespace gibench::antiradiance {
@@ -21,6 +23,8 @@ constexpr double coarser = 1.5;  // times, from one oracle to the next
 constexpr double bytes_a_link = 20.0, bytes_a_masked_link = 52.0;
 constexpr int most_attempts = 24;
 constexpr double krylov_vectors = 8.0;
+constexpr double bytes_an_element = 1500.0;  // with all but links and tables (README.md, Memory)
+constexpr double many_more = 2.0;            // elements than asked for
 
 SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   SamplingMeshOptions options;
@@ -32,28 +36,71 @@ SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   return options;
 }
 
-double table_bytes(const Discretisation& parts, std::size_t bins) {
-  const std::size_t leaves = parts.hierarchy.leaf_count();
-  const double row = static_cast<double>(leaves) * static_cast<double>(bins) * sizeof(Light4);
-  return static_cast<double>(BinTransport::bytes_for(leaves, bins)) + krylov_vectors * row;
+double mebibytes(double bytes) { return bytes / (1024.0 * 1024.0); }
+
+/// What many more elements than asked for come from.
+std::string own_vertices(std::size_t elements, const Settings& settings) {
+  if (static_cast<double>(elements) <= many_more * settings.elements) return {};
+  return fmt::format("the scene's own vertices make {} elements where {} were asked for", elements, settings.elements);
+}
+
+/// Elements whose assumptions other surfaces break, counted in the task and told of.
+std::string count_crossings(const Elements& elements, Task& task) {
+  std::uint64_t covered = 0, parted = 0, backed = 0;
+  for (std::uint32_t i = 0; i < elements.size(); ++i) {
+    if (elements.covered(i)) ++covered;
+    if (elements.parted(i)) ++parted;
+    if (elements.backed(i)) ++backed;
+  }
+  task.count("elements_behind_coplanar_faces", covered);
+  task.count("elements_parted_by_surfaces", parted);
+  task.count("elements_on_thin_slabs", backed);
+  std::string text;
+  if (parted > 0) text = fmt::format("other surfaces cross {} of {} elements", parted, elements.size());
+  if (backed > 0)
+    text += fmt::format("{}{} of {} elements have another surface behind them within their radius: light may leak there",
+                        text.empty() ? "" : "; ", backed, elements.size());
+  return text;
 }
 
 }  // namespace
 
 Discretisation::Discretisation(const World& world, const Settings& settings, Task& task)
-    : mesh(world, mesh_options(world, settings)),
-      elements(world, mesh, settings.cell_points, settings.backface_rays, task),
+    : Discretisation(world, SamplingMesh(world, mesh_options(world, settings)), settings, task) {}
+
+Discretisation::Discretisation(const World& world, SamplingMesh made, const Settings& settings, Task& task)
+    : mesh(std::move(made)),
+      elements(world, mesh, settings.cell_points,
+               {settings.backface_rays, settings.backface_rays > 0 && settings.mode == Mode::antiradiance}, task),
       surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
       hierarchy(elements,
                 settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
                 task),
-      reconstruction(world, mesh, elements) {}
+      reconstruction(world, mesh, elements, settings.backface_rays > 0, task) {}
 
-std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, Task& task) {
-  auto parts = std::make_unique<Discretisation>(world, settings, task);
+double direction_table_bytes(const Settings& settings) {
+  const auto bins = static_cast<std::size_t>(settings.bins) * static_cast<std::size_t>(settings.bins);
+  return static_cast<double>(BinTransport::bytes_for(1, bins)) + krylov_vectors * static_cast<double>(bins * sizeof(Light4));
+}
+
+std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, double table_bytes, Task& task,
+                                              StageReport& report) {
+  SamplingMesh mesh(world, mesh_options(world, settings));
+  const std::size_t count = mesh.vertices().size();
+  add_message(own_vertices(count, settings), report);
+  const double needed = static_cast<double>(count) * (bytes_an_element + table_bytes);
+  if (needed > settings.bytes_at_most()) {
+    report.termination = Termination::out_of_budget;
+    add_message(fmt::format("{} elements need {:.0f} MiB: raise the parameter memory_budget, or lower elements, bins or sectors",
+                            count, mebibytes(needed)),
+                report);
+    return nullptr;
+  }
+  auto parts = std::make_unique<Discretisation>(world, std::move(mesh), settings, task);
   task.count("elements", parts->elements.size());
   task.count("elements_inside_geometry", parts->elements.size() - parts->hierarchy.leaf_count());
   task.count("nodes", parts->hierarchy.size());
+  add_message(count_crossings(parts->elements, task), report);
   task.progress("elements", 0.1);
   return parts;
 }
@@ -64,12 +111,13 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
   linking.visibility = visibility;
   const bool by_direction = visibility == Visibility::antiradiance;
   if (by_direction || visibility == Visibility::nearest) linking.bins.emplace(settings.bins);
-  const double fixed = static_cast<double>(parts.bytes()) + (by_direction ? table_bytes(parts, linking.bins->count()) : 0.0);
+  const double tables = by_direction ? static_cast<double>(parts.hierarchy.leaf_count()) * direction_table_bytes(settings) : 0.0;
+  const double fixed = static_cast<double>(parts.bytes()) + tables;
   if (fixed > settings.bytes_at_most()) {
     linking.refused = true;
     linking.warning = fmt::format("{} elements{} need {:.0f} MiB: raise the parameter memory_budget, or lower elements or bins",
                                   parts.elements.size(), by_direction ? fmt::format(" of {} bins", linking.bins->count()) : "",
-                                  fixed / (1024.0 * 1024.0));
+                                  mebibytes(fixed));
     return linking;
   }
 

@@ -29,6 +29,8 @@ enum class Visibility {
 
 struct Discretisation {
   Discretisation(const World& world, const Settings& settings, Task& task);
+  /// Over a mesh that is there already.
+  Discretisation(const World& world, SamplingMesh made, const Settings& settings, Task& task);
 
   SamplingMesh mesh;
   Elements elements;
@@ -38,8 +40,13 @@ struct Discretisation {
   std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes() + reconstruction.bytes(); }
 };
 
-/// Counted in the task.
-std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, Task& task);
+/// Counted in the task. The report names what the elements cannot be trusted with. Before any ray is traced the memory of
+/// elements and of `table_bytes` more for each is held against the budget; nothing comes back where it does not suffice.
+std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, double table_bytes, Task& task,
+                                              StageReport& report);
+
+/// Bytes an element takes in the tables of light by direction, and in the solvers.
+double direction_table_bytes(const Settings& settings);
 
 /// The links of one way of dealing with visibility, and what goes with them.
 struct Linking {

@@ -5,6 +5,7 @@
 
 #include "common/core/sampling.h"
 #include "common/finite_elements/inside_geometry.h"
+#include "methods/antiradiance/cell_crossings.h"
 
 namespace gibench::antiradiance {
 
@@ -32,7 +33,41 @@ Vec3 point_of(const CellPart& part, Vec2 at) {
   return (a * (1.0F - at.x) + b * at.x) * (1.0F - at.y) + (d * (1.0F - at.x) + c * at.x) * at.y;
 }
 
+/// Barycentrics of the second and third corner of a point in the plane of a scene triangle.
+Vec2 barycentrics_of(const Scene& scene, std::uint32_t triangle, const Vec3& point) {
+  const auto& [i, j, k] = scene.triangles[triangle].corners;
+  const Vec3d a = scene.vertices[i], b = Vec3d(scene.vertices[j]) - a, c = Vec3d(scene.vertices[k]) - a, p = Vec3d(point) - a;
+  const double bb = glm::dot(b, b), bc = glm::dot(b, c), cc = glm::dot(c, c), pb = glm::dot(p, b), pc = glm::dot(p, c);
+  const double determinant = bb * cc - bc * bc;
+  if (!(determinant > 0.0)) return {0.0F, 0.0F};
+  return {static_cast<float>((pb * cc - pc * bc) / determinant), static_cast<float>((pc * bb - pb * bc) / determinant)};
+}
+
+bool outside(const Vec2& at) { return at.x < -1e-4F || at.y < -1e-4F || at.x + at.y > 1.0F + 1e-4F; }
+
+/// Whether a coplanar face is in front of the point.
+bool is_covered(const World& world, const CellPoint& point) {
+  if (world.coincident().empty()) return false;
+  const SurfaceSample sample = sample_of(world, point);
+  return !world.coincident().shows(sample.triangle, sample.barycentrics.x, sample.barycentrics.y, -point.normal);
+}
+
 }  // namespace
+
+SurfaceSample sample_of(const World& world, const CellPoint& point) {
+  const Scene& scene = world.scene();
+  SurfaceSample sample;
+  sample.position = 0.5F * (point.origin + point.behind);
+  sample.normal = point.normal;
+  sample.triangle = point.triangle;
+  sample.barycentrics = barycentrics_of(scene, sample.triangle, sample.position);
+  const std::uint32_t next = sample.triangle + 1;
+  if (outside(sample.barycentrics) && next < scene.triangles.size() &&
+      scene.triangle_face[next] == scene.triangle_face[sample.triangle])
+    sample.triangle = next, sample.barycentrics = barycentrics_of(scene, next, sample.position);
+  sample.barycentrics = glm::clamp(sample.barycentrics, 0.0F, 1.0F);
+  return sample;
+}
 
 bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays) {
   if (count == 0) return true;
@@ -42,12 +77,13 @@ bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int 
   });
 }
 
-Elements::Elements(const World& world, const SamplingMesh& mesh, int points, int backface_rays, Task& task)
+Elements::Elements(const World& world, const SamplingMesh& mesh, int points, const CellTests& tests, Task& task)
     : points_per_element_(static_cast<std::size_t>(points)) {
   const std::size_t count = mesh.vertices().size();
   discs_.resize(count);
   exposed_share_.assign(count, 0.0F);
   reach_.assign(count, 0.0F);
+  marks_.assign(count, 0);
   points_.resize(count * points_per_element_);
   for (const MeshVertex& vertex : mesh.vertices()) {
     sheets_.push_back(2 * vertex.object + (vertex.front ? 0 : 1));
@@ -60,8 +96,10 @@ Elements::Elements(const World& world, const SamplingMesh& mesh, int points, int
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto element = static_cast<std::uint32_t>(i);
       place_points(world, mesh, element, task.seed());
-      find_exposed(world, element, backface_rays, task.seed(), rays);
+      find_exposed(world, mesh, element, tests, task.seed(), rays);
       place_disc(mesh, element);
+      if (tests.looks_behind && backed_within(this->points(element), std::sqrt(discs_[i].area / pi), rays))
+        marks_[i] |= backed_mark;
     }
   });
 }
@@ -115,15 +153,22 @@ void Elements::place_points(const World& world, const SamplingMesh& mesh, std::u
     for (const Vec3& corner : one.corners) reach_[element] = std::max(reach_[element], glm::length(corner - centre));
 }
 
-void Elements::find_exposed(const World& world, std::uint32_t element, int backface_rays, std::uint64_t seed, RayStream& rays) {
-  std::size_t exposed = 0;
-  for (std::size_t k = 0; k < points_per_element_; ++k) {
-    const std::size_t index = element * points_per_element_ + k;
-    CellPoint& point = points_[index];
-    point.exposed = is_exposed(world, point.origin, point.normal, backface_rays, RandomStream(seed, exposure_stage, index), rays);
-    if (point.exposed) ++exposed;
+void Elements::find_exposed(const World& world, const SamplingMesh& mesh, std::uint32_t element, const CellTests& tests,
+                            std::uint64_t seed, RayStream& rays) {
+  const std::span<CellPoint> own = own_points(element);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const bool covered = is_covered(world, own[k]);
+    if (covered) marks_[element] |= covered_mark;
+    own[k].exposed = !covered && is_exposed(world, own[k].origin, own[k].normal, tests.backface_rays,
+                                            RandomStream(seed, exposure_stage, element * own.size() + k), rays);
   }
-  exposed_share_[element] = static_cast<float>(exposed) / static_cast<float>(points_per_element_);
+  if (tests.backface_rays > 0) {
+    std::vector<std::uint32_t> faces;
+    for (const CellPart& part : parts(element)) faces.push_back(world.scene().triangle_face[part.triangle]);
+    if (part_cell(world, own, mesh.vertices()[element].position, faces, rays)) marks_[element] |= parted_mark;
+  }
+  const auto exposed = std::count_if(own.begin(), own.end(), [](const CellPoint& point) { return point.exposed; });
+  exposed_share_[element] = static_cast<float>(exposed) / static_cast<float>(own.size());
 }
 
 /// At the vertex where its cell surrounds it. Where the cell lies to one side (at a border, at a crease, at another surface
@@ -147,8 +192,9 @@ void Elements::place_disc(const SamplingMesh& mesh, std::uint32_t element) {
 
 std::size_t Elements::bytes() const {
   return discs_.capacity() * sizeof(Disc) + sheets_.capacity() * sizeof(std::uint32_t) + black_back_.capacity() +
-         (exposed_share_.capacity() + reach_.capacity()) * sizeof(float) + parts_.capacity() * sizeof(CellPart) +
-         part_begin_.capacity() * sizeof(std::uint32_t) + points_.capacity() * sizeof(CellPoint);
+         marks_.capacity() + (exposed_share_.capacity() + reach_.capacity()) * sizeof(float) +
+         parts_.capacity() * sizeof(CellPart) + part_begin_.capacity() * sizeof(std::uint32_t) +
+         points_.capacity() * sizeof(CellPoint);
 }
 
 }  // namespace gibench::antiradiance

@@ -29,25 +29,41 @@ struct CellPoint {
   Vec3 behind;  ///< the same off its other side
   Vec3 normal;  ///< of the face, on the element's side
   std::uint32_t triangle = 0;
-  bool exposed = true;  ///< not inside geometry
+  bool exposed = true;  ///< seen by some light: see Elements
+};
+
+/// A point of a cell as a sample; a part of a quad names the first of its two triangles.
+SurfaceSample sample_of(const World& world, const CellPoint& point);
+
+/// What rays find out about cells.
+struct CellTests {
+  int backface_rays = 8;      ///< that must all meet black backs for a point to be inside geometry; 0: no ray is traced at all
+  bool looks_behind = false;  ///< whether another surface lies behind, nearer than the disc's radius
 };
 
 /// Whether a point just off a surface is not inside geometry: of `count` cosine-distributed rays about the unit normal one at
 /// least does not meet a black back.
 bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays);
 
-/// The elements in the order of the mesh's vertices; those that are wholly inside geometry take no part in transport.
+/// The elements in the order of the mesh's vertices; those that are wholly hidden take no part in transport.
 class Elements {
  public:
-  /// `points` per cell; a point is inside geometry where all of `backface_rays` rays from it meet black backs.
-  Elements(const World& world, const SamplingMesh& mesh, int points, int backface_rays, Task& task);
+  /// `points` per cell. A point is not exposed where a coplanar face is in front of it, inside geometry, and where another
+  /// surface parts it from the vertex.
+  Elements(const World& world, const SamplingMesh& mesh, int points, const CellTests& tests, Task& task);
 
   std::size_t size() const { return discs_.size(); }
   /// Centre: of the exposed part of the cell; normal: the vertex's; area: the exposed part's.
   const Disc& disc(std::uint32_t element) const { return discs_[element]; }
   /// Twice the object, and one more on its back: what one tree of the hierarchy is made over.
   std::uint32_t sheet(std::uint32_t element) const { return sheets_[element]; }
-  /// Share of the cell that is not inside geometry.
+  /// Whether a coplanar face is in front of a part of the cell.
+  bool covered(std::uint32_t element) const { return (marks_[element] & covered_mark) != 0; }
+  /// Whether another surface crosses the cell: what lies beyond it has no element.
+  bool parted(std::uint32_t element) const { return (marks_[element] & parted_mark) != 0; }
+  /// Whether another surface lies behind the disc, nearer than its radius; known only where it was looked for.
+  bool backed(std::uint32_t element) const { return (marks_[element] & backed_mark) != 0; }
+  /// Share of the cell that is exposed.
   float exposed_share(std::uint32_t element) const { return exposed_share_[element]; }
   /// Whether light that arrives from behind ends here: on one-sided objects. A two-sided sheet has an element each side.
   bool black_back(std::uint32_t element) const { return black_back_[element] != 0; }
@@ -67,13 +83,19 @@ class Elements {
  private:
   void cut_cells(const World& world, const SamplingMesh& mesh);
   void place_points(const World& world, const SamplingMesh& mesh, std::uint32_t element, std::uint64_t seed);
-  void find_exposed(const World& world, std::uint32_t element, int backface_rays, std::uint64_t seed, RayStream& rays);
+  std::span<CellPoint> own_points(std::uint32_t element) {
+    return std::span(points_).subspan(element * points_per_element_, points_per_element_);
+  }
+  void find_exposed(const World& world, const SamplingMesh& mesh, std::uint32_t element, const CellTests& tests,
+                    std::uint64_t seed, RayStream& rays);
   void place_disc(const SamplingMesh& mesh, std::uint32_t element);
+
+  static constexpr std::uint8_t covered_mark = 1, parted_mark = 2, backed_mark = 4;
 
   std::size_t points_per_element_;
   std::vector<Disc> discs_;
   std::vector<std::uint32_t> sheets_;
-  std::vector<std::uint8_t> black_back_;
+  std::vector<std::uint8_t> black_back_, marks_;
   std::vector<float> exposed_share_, reach_;
   std::vector<CellPart> parts_;
   std::vector<std::uint32_t> part_begin_;

@@ -5,6 +5,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "common/finite_elements/bounce_series.h"
@@ -74,9 +75,9 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr std::size_t patience = 8;    // steps over which a residual must fall
-constexpr double hopeless = 1e6;       // a residual at which no series comes back
-constexpr double krylov_slack = 10.0;  // its residual is that of the equation, not of a step
+constexpr std::size_t patience = 8;  // steps over which a residual must fall
+constexpr double hopeless = 1e6;     // a residual at which no series comes back
+constexpr int krylov_starts = 8;
 
 /// What a series of residuals says about what is to come.
 class Trend {
@@ -174,8 +175,8 @@ class Solver {
       ++outcome_.applications;
       image += b_ - x_;
       tell("damped iteration", k, static_cast<double>(image.norm()) / std::max(1e-30, static_cast<double>(x_.norm())));
-      x_ += 0.5F * image;
       if (outcome_.residual < rule_.residual) return true;
+      x_ += 0.5F * image;
       trend.add(outcome_.residual);
       if (trend.grows() || trend.steps_left(rule_.residual) > 0.25 * rule_.most_iterations) {
         outcome_.message =
@@ -187,28 +188,48 @@ class Solver {
     return false;
   }
 
+  /// In single precision the residual that BiCGSTAB carries along parts from that of the equation: it starts again on what is
+  /// left of that, for as long as it becomes less.
   void krylov(const std::string& tried) {
     outcome_.ended_with = Iteration::krylov;
     const MatrixFree matrix(map_, b_.size());
     Eigen::BiCGSTAB<MatrixFree, Eigen::IdentityPreconditioner> solver;
     solver.compute(matrix);
-    solver.setMaxIterations(rule_.most_iterations);
-    solver.setTolerance(static_cast<float>(rule_.residual));
-    x_ = solver.solve(b_);
-    Vector image(b_.size());
-    map_(x_, image);
-    outcome_.applications += matrix.applications + 1;
-    image += b_ - x_;
-    const double residual = static_cast<double>(image.norm()) / size_of_b_;
-    tell("Krylov iteration", static_cast<int>(solver.iterations()), residual);
-    if (residual < krylov_slack * rule_.residual) {
-      outcome_.message = fmt::format("{}; BiCGSTAB converged in {} iterations", tried, solver.iterations());
+    x_.setZero();
+    Vector left = b_;  // b + M x − x
+    double size = size_of_b_, residual = std::numeric_limits<double>::infinity();
+    int steps = 0;
+    for (int start = 0; start < krylov_starts && steps < rule_.most_iterations && !task_.cancelled(); ++start) {
+      const double goal = rule_.residual * (start == 0 ? size_of_b_ : smaller_size());
+      solver.setTolerance(static_cast<float>(std::min(0.5, 0.5 * goal / size)));
+      solver.setMaxIterations(rule_.most_iterations - steps);
+      const Vector correction = solver.solve(left);
+      steps += std::max(1, static_cast<int>(solver.iterations()));
+      if (!correction.allFinite()) break;
+      x_ += correction;
+      map_(x_, left);
+      ++outcome_.applications;
+      left += b_ - x_;
+      size = static_cast<double>(left.norm());
+      const double now = size / std::max(1e-30, smaller_size());
+      if (!(now < residual)) {
+        x_ -= correction;
+        break;
+      }
+      residual = now;
+      tell("Krylov iteration", steps, residual);
+      if (residual < rule_.residual) break;
+    }
+    outcome_.applications += matrix.applications;
+    if (residual < rule_.residual) {
+      outcome_.message = fmt::format("{}; BiCGSTAB converged in {} iterations", tried, steps);
       return;
     }
     outcome_.termination = Termination::not_converged;
-    outcome_.message =
-        fmt::format("{}; BiCGSTAB ended with residual {:.2e} after {} iterations", tried, residual, solver.iterations());
+    outcome_.message = fmt::format("{}; BiCGSTAB ended with residual {:.2e} after {} iterations", tried, residual, steps);
   }
+
+  double smaller_size() const { return std::min(size_of_b_, static_cast<double>(x_.norm())); }
 
   const Vector& b_;
   const LinearMap& map_;

@@ -16,7 +16,9 @@ using LinearMap = std::function<void(const Vector& in, Vector& out)>;
 enum class Iteration { neumann, damped, krylov };
 
 struct FixedPointRule {
-  double residual = 1e-4;  ///< the step's size over the solution's at which the series ends
+  /// ‖b + M x − x‖ over ‖x‖ at which a series or damped steps end; BiCGSTAB's is over ‖b‖ where that is less, as the x of a
+  /// singular system grows without bound.
+  double residual = 1e-4;
   int most_iterations = 200;
   int exactly = 0;  ///< more than 0: so many terms of the plain series, whatever the residual does: for pictures of the iteration
 };

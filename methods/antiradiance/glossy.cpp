@@ -11,6 +11,8 @@ namespace gibench::antiradiance {
 
 namespace {
 
+constexpr float most_raised = 2.0F;
+
 /// Radians to where a lobe has fallen to a half; π for none.
 float lobe_radius(const Material& material) {
   switch (material.bsdf) {
@@ -24,16 +26,8 @@ float lobe_radius(const Material& material) {
   return 0.0F;
 }
 
-/// The most that the part which is not diffuse reflects from one direction, channel by channel.
-Rgb most_reflected(const Material& material) {
-  switch (material.bsdf) {
-    case Bsdf::diffuse: return {};
-    case Bsdf::phong: return material.specular;
-    case Bsdf::ggx: return Rgb(1.0F);
-    case Bsdf::mirror: return material.reflectance;
-  }
-  return Rgb(1.0F);
-}
+/// What a sum over bins is to be multiplied by to be what it should, raised by no more than twofold.
+float corrected(float sum, float wanted) { return sum > 0.0F ? std::min(most_raised, wanted / sum) : 0.0F; }
 
 }  // namespace
 
@@ -54,55 +48,67 @@ GlossyReflection::GlossyReflection(const Scene& scene, std::span<const std::uint
     if (gloss_of(scene.materials[i]) != Gloss::lobe) continue;
     Material lobe = scene.materials[i];
     lobe.diffuse = Rgb();
-    bsdf_of_material_[i] = static_cast<int>(bsdfs_.size());
-    bsdfs_.emplace_back(lobe);
-    most_reflected_.push_back(most_reflected(lobe));
+    bsdf_of_material_[i] = static_cast<int>(lobes_.size());
+    const SurfaceBsdf bsdf(lobe);
+    lobes_.push_back({bsdf, LobeAlbedo(bsdf)});
   }
   for (const std::uint32_t material : leaf_materials) bsdf_of_leaf_.push_back(bsdf_of_material_[material]);
 }
 
-Rgb GlossyReflection::lobe(std::size_t bsdf, const Vec3& out, const Vec3& in) const {
-  return bsdfs_[bsdf].evaluate(out, in).value;
-}
-
 void GlossyReflection::reflect(std::size_t leaf, const Vec3& normal, std::span<const float> projected, const float* arriving,
-                               float* exitant) const {
-  const auto bsdf = static_cast<std::size_t>(bsdf_of_leaf_[leaf]);
-  const Frame frame(normal);
-  const std::size_t count = bins_.count();
-  std::vector<Vec3> local(count);
-  for (std::size_t b = 0; b < count; ++b) local[b] = frame.to_local(bins_.direction(b));
-  std::vector<Rgb> values(count);
-  for (std::size_t in = 0; in < count; ++in) {
+                               float scale, float* exitant) const {
+  LeafLobe lobe(*this, leaf, normal, projected);
+  for (std::size_t in = 0; in < bins_.count(); ++in) {
     const float* light = arriving + 4 * in;
     if (projected[in] > 0.0F || (light[0] == 0.0F && light[1] == 0.0F && light[2] == 0.0F)) continue;
-    Rgb sum;
-    for (std::size_t out = 0; out < count; ++out) {
-      if (!(projected[out] > 0.0F)) continue;
-      values[out] = lobe(bsdf, local[out], -local[in]);
-      sum += values[out] * projected[out];
-    }
-    for (int c = 0; c < 3; ++c) {
-      const float scale = sum[c] > most_reflected_[bsdf][c] ? most_reflected_[bsdf][c] / sum[c] : 1.0F;
-      for (std::size_t out = 0; out < count; ++out)
-        if (projected[out] > 0.0F) exitant[4 * out + static_cast<std::size_t>(c)] += values[out][c] * scale * light[c];
-    }
+    lobe.reflect(-bins_.direction(in), Rgb(light[0], light[1], light[2]) * scale, exitant);
   }
 }
 
 Rgb GlossyReflection::radiance(std::uint32_t material, const Vec3& normal, const Vec3& toward_viewer,
                                std::span<const float> projected, const float* arriving) const {
-  const int bsdf = bsdf_of_material_[material];
-  if (bsdf < 0) return {};
+  const int index = bsdf_of_material_[material];
+  if (index < 0) return {};
+  const Lobe& lobe = lobes_[static_cast<std::size_t>(index)];
   const Frame frame(normal);
   const Vec3 out = frame.to_local(toward_viewer);
-  Rgb sum;
+  Rgb sum, white;
   for (std::size_t in = 0; in < bins_.count(); ++in) {
     if (projected[in] > 0.0F) continue;
     const float* light = arriving + 4 * in;
-    sum += lobe(static_cast<std::size_t>(bsdf), out, -frame.to_local(bins_.direction(in))) * Rgb(light[0], light[1], light[2]);
+    const Rgb value = lobe.bsdf.evaluate(out, -frame.to_local(bins_.direction(in))).value;
+    sum += value * Rgb(light[0], light[1], light[2]);
+    white += value * -projected[in];
   }
+  const Rgb albedo = lobe.albedo.at(out.z);
+  for (int c = 0; c < 3; ++c) sum[c] *= corrected(white[c], albedo[c]);
   return sum;
+}
+
+LeafLobe::LeafLobe(const GlossyReflection& glossy, std::size_t leaf, const Vec3& normal, std::span<const float> projected)
+    : lobe_(glossy.lobes_[static_cast<std::size_t>(glossy.bsdf_of_leaf_[leaf])]), frame_(normal) {
+  for (std::size_t b = 0; b < projected.size(); ++b) {
+    if (!(projected[b] > 0.0F)) continue;
+    bins_.push_back(b);
+    local_.push_back(frame_.to_local(glossy.bins_.direction(b)));
+    projected_.push_back(projected[b]);
+  }
+  values_.resize(bins_.size());
+}
+
+void LeafLobe::reflect(const Vec3& toward_light, const Rgb& irradiance, float* exitant) {
+  const Vec3 in = frame_.to_local(toward_light);
+  Rgb sum;
+  for (std::size_t k = 0; k < bins_.size(); ++k) {
+    values_[k] = lobe_.bsdf.evaluate(local_[k], in).value;
+    sum += values_[k] * projected_[k];
+  }
+  const Rgb albedo = lobe_.albedo.at(in.z);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto channel = static_cast<int>(c);
+    const float scale = corrected(sum[channel], albedo[channel]) * irradiance[channel];
+    for (std::size_t k = 0; k < bins_.size(); ++k) exitant[4 * bins_[k] + c] += values_[k][channel] * scale;
+  }
 }
 
 }  // namespace gibench::antiradiance

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t fill_chunk = 1024;
 constexpr std::uint32_t fewest_of_a_split = 16;  // one part in so many: a lopsided split is made at the median instead
 
-/// Place and normal in one vector: what a node is split by. Normals count in metres of the node's own object.
+/// Place and normal in one vector: what a node is split by.
 struct Traits {
   float normal_scale;
   float of(const Disc& disc, int axis) const { return axis < 3 ? disc.centre[axis] : disc.normal[axis - 3] * normal_scale; }
@@ -76,7 +76,7 @@ Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> sp
   for (std::uint32_t element = 0; element < elements.size(); ++element)
     if (elements.disc(element).area > 0.0F) order_.push_back(element);
   const auto key = [&](std::uint32_t element) {
-    return std::pair(spaces.empty() ? 0U : spaces[element], elements.sheet(element));
+    return std::pair(spaces.empty() ? 0U : spaces[element], kind_of(elements, element));
   };
   const auto before = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
   if (!std::is_sorted(order_.begin(), order_.end(), before)) std::stable_sort(order_.begin(), order_.end(), before);
@@ -89,6 +89,11 @@ Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> sp
     });
 }
 
+Hierarchy::Kind Hierarchy::kind_of(const Elements& elements, std::uint32_t element) {
+  if (elements.black_back(element)) return Kind::one_sided;
+  return elements.sheet(element) % 2 == 0 ? Kind::front : Kind::back;
+}
+
 /// Level by level: the ranges of a level are disjoint. A subtree of m leaves has 2m − 1 nodes, so that every node knows its
 /// number before its children are made. Returns the nodes of every level.
 std::vector<std::vector<std::uint32_t>> Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_t> spaces,
@@ -98,13 +103,13 @@ std::vector<std::vector<std::uint32_t>> Hierarchy::split_all(const Elements& ele
   std::vector<Range> level, next;
   std::uint32_t nodes = 0;
   for (std::uint32_t begin = 0; begin < order_.size();) {
+    const Kind kind = kind_of(elements, order_[begin]);
     std::uint32_t end = begin;
-    while (end < order_.size() && elements.sheet(order_[end]) == elements.sheet(order_[begin]) &&
-           space(order_[end]) == space(order_[begin]))
-      ++end;
+    while (end < order_.size() && kind_of(elements, order_[end]) == kind && space(order_[end]) == space(order_[begin])) ++end;
     level.push_back({nodes, begin, end});
     roots_.push_back(nodes);
     root_spaces_.push_back(space(order_[begin]));
+    root_kinds_.push_back(kind);
     nodes += 2 * (end - begin) - 1;
     begin = end;
   }
@@ -158,6 +163,7 @@ void Hierarchy::fill(const Elements& elements, std::uint32_t index) {
     const std::uint32_t element = order_[node.begin];
     const Disc& disc = elements.disc(element);
     node.centre = disc.centre, node.normal = disc.normal, node.area = disc.area;
+    node.sheet = elements.sheet(element);
     node.black_back = elements.black_back(element);
     leaf_nodes_[node.begin] = index;
     leaf_of_element_[element] = node.begin;
@@ -170,6 +176,7 @@ void Hierarchy::fill(const Elements& elements, std::uint32_t index) {
   const Vec3 normal = left.normal * share + right.normal * (1.0F - share);
   const float length = glm::length(normal);
   node.normal = length > 1e-6F ? normal / length : left.normal;
+  node.sheet = left.sheet == right.sheet ? left.sheet : several_sheets;
   node.black_back = left.black_back;
   node.cone_sine = std::max(cone_of(node.normal, left), cone_of(node.normal, right));
   node.reach =
@@ -177,16 +184,26 @@ void Hierarchy::fill(const Elements& elements, std::uint32_t index) {
   node.thickness = std::max(thickness_of(node, left), thickness_of(node, right));
 }
 
-std::vector<std::uint32_t> Hierarchy::roots_beside(std::size_t root) const {
-  std::vector<std::uint32_t> beside;
-  for (std::size_t other = 0; other < roots_.size(); ++other)
-    if (root_spaces_[other] == root_spaces_[root]) beside.push_back(roots_[other]);
-  return beside;
+/// Spaces stand one after the other.
+std::span<const std::uint32_t> Hierarchy::roots_beside(std::size_t root) const {
+  const auto [first, last] = std::equal_range(root_spaces_.begin(), root_spaces_.end(), root_spaces_[root]);
+  return std::span(roots_).subspan(static_cast<std::size_t>(first - root_spaces_.begin()),
+                                   static_cast<std::size_t>(last - first));
+}
+
+const Node& Hierarchy::leaf_by_area(std::uint32_t node, float u) const {
+  while (!nodes_[node].is_leaf()) {
+    const float left = nodes_[node + 1].area / nodes_[node].area;
+    if (u < left) node += 1, u /= left;
+    else node = nodes_[node].right, u = left < 1.0F ? (u - left) / (1.0F - left) : 0.0F;
+  }
+  return nodes_[node];
 }
 
 std::size_t Hierarchy::bytes() const {
-  return nodes_.capacity() * sizeof(Node) +
-         (roots_.capacity() + order_.capacity() + leaf_nodes_.capacity() + leaf_of_element_.capacity()) * sizeof(std::uint32_t);
+  return nodes_.capacity() * sizeof(Node) + (roots_.capacity() + root_spaces_.capacity() + order_.capacity() +
+                                             leaf_nodes_.capacity() + leaf_of_element_.capacity()) *
+                                                sizeof(std::uint32_t);
 }
 
 }  // namespace gibench::antiradiance

@@ -79,9 +79,7 @@ Row nearest_of(const Hierarchy& hierarchy, const LinkTable& links, const Directi
       const Vec3 to_sender = hierarchy.nodes()[sender].centre - leaf.centre;
       const float squared = glm::dot(to_sender, to_sender);
       if (!(squared > 0.0F)) continue;
-      const DirectionBins::Place place = directions.place(to_sender / -std::sqrt(squared));
-      const auto largest = std::max_element(place.shares.begin(), place.shares.end()) - place.shares.begin();
-      Bin& own = bins[directions.bins_of(place.quad)[static_cast<std::size_t>(largest)]];
+      Bin& own = bins[directions.bin_of(to_sender / -std::sqrt(squared))];
       own.factors += links.factors[link];
       own.pointing.offer(squared, sender);
       lay_across(hierarchy.nodes()[sender], to_sender, sender, looks, bins);

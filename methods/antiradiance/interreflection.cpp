@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "common/finite_elements/bounce_series.h"
 #include "methods/antiradiance/bin_transport.h"
@@ -103,25 +104,24 @@ class Patches {
 class Directions {
  public:
   Directions(const Discretisation& parts, const Linking& linking, const Surfaces& surfaces, Task& task)
-      : transport_(parts.hierarchy, linking.links, *linking.bins), surfaces_(surfaces), task_(task) {
-    for (std::size_t i = 0; i < surfaces.albedo.size(); ++i) albedo_.push_back(surfaces.albedo[i] * surfaces.closure[i]);
-  }
+      : transport_(parts.hierarchy, linking.links, *linking.bins),
+        surfaces_(surfaces),
+        reflection_{surfaces.albedo, surfaces.closure, surfaces.glossy},
+        task_(task) {}
 
   Interreflection solve(std::span<const Rgb> direct, const FixedPointRule& rule) {
     Interreflection result;
     Vector first, sum;
-    transport_.transport_diffuse(products(direct, surfaces_.albedo), first, task_);
+    transport_.transport_sources(products(direct, surfaces_.albedo), surfaces_.glossy_direct, first, task_);
     result.irradiance.assign(direct.size(), Rgb());
     if (surfaces_.max_bounces) {
       bounded(first, rule, *surfaces_.max_bounces, sum, result);
     } else {
-      const LinearMap everything = [this](const Vector& in, Vector& out) {
-        transport_.transport(in, albedo_, surfaces_.glossy, out, task_);
-      };
+      const LinearMap everything = [this](const Vector& in, Vector& out) { transport_.transport(in, reflection_, out, task_); };
       take_over(solve_fixed_point(first, everything, rule, sum, task_), result);
       add_fronts(sum, result.irradiance);
     }
-    if (surfaces_.glossy != nullptr) result.by_direction = std::move(sum);
+    if (surfaces_.keeps_directions) result.by_direction = std::move(sum);
     return result;
   }
 
@@ -129,7 +129,7 @@ class Directions {
   std::vector<Rgb> uniform(const FixedPointRule& rule, Interreflection& result) {
     Vector first, sum;
     const std::vector<Rgb> ones(surfaces_.closure.size(), Rgb(1.0F));
-    transport_.transport_diffuse(ones, first, task_);
+    transport_.transport_sources(ones, {}, first, task_);
     take_over(solve_fixed_point(first, through(), rule, sum, task_), result);
     std::vector<Rgb> fronts(ones.size());
     add_fronts(sum, fronts);
@@ -137,9 +137,8 @@ class Directions {
   }
 
  private:
-  /// U (−J): light that met something takes itself away behind it.
   LinearMap through() {
-    return [this](const Vector& in, Vector& out) { transport_.transport(in, {}, nullptr, out, task_); };
+    return [this](const Vector& in, Vector& out) { transport_.transport_through(in, out, task_); };
   }
 
   void bounded(Vector& arriving, const FixedPointRule& rule, int bounces, Vector& sum, Interreflection& result) {
@@ -147,7 +146,7 @@ class Directions {
     double so_far = 0.0;
     BounceSeries series = planned(bounces);
     while (series.goes_on() && !task_.cancelled()) {
-      if (series.bounces() > 0) transport_.transport_reflected(bounce, albedo_, surfaces_.glossy, arriving, task_);
+      if (series.bounces() > 0) transport_.transport_reflected(bounce, reflection_, arriving, task_);
       take_over(solve_fixed_point(arriving, through(), rule, bounce, task_), result);
       std::vector<Rgb> fronts(result.irradiance.size());
       add_fronts(bounce, fronts);
@@ -170,8 +169,8 @@ class Directions {
 
   BinTransport transport_;
   const Surfaces& surfaces_;
+  Reflection reflection_;
   Task& task_;
-  std::vector<Rgb> albedo_;  ///< times closure: what is reflected of what the links bring
 };
 
 }  // namespace
@@ -182,17 +181,27 @@ std::vector<Rgb> products(std::span<const Rgb> a, std::span<const Rgb> b) {
   return result;
 }
 
-std::vector<float> closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task) {
+Closure closure_factors(const Discretisation& parts, const Linking& linking, const Settings& settings, Task& task) {
   const std::size_t leaves = parts.hierarchy.leaf_count();
+  Closure result;
   Surfaces white;
   white.albedo.assign(leaves, Rgb(1.0F));
   white.closure.assign(leaves, 1.0F);
-  if (linking.visibility == Visibility::shadow_passes) return white.closure;
+  if (linking.visibility == Visibility::shadow_passes) {
+    result.factors = std::move(white.closure);
+    return result;
+  }
   std::vector<Rgb> response(leaves);
   if (linking.visibility == Visibility::antiradiance) {
     Interreflection ended;
     response = Directions(parts, linking, white, task).uniform(rule_of(settings, false), ended);
-    if (!succeeded(ended.termination)) return white.closure;
+    result.iterations = ended.iterations;
+    if (!ended.message.empty()) result.message = "negative light of uniform surfaces: " + ended.message;
+    if (!succeeded(ended.termination)) {
+      result.termination = ended.termination;
+      result.message += "; raise the parameter most_iterations, elements or bins";
+      return result;
+    }
   } else {
     Patches(parts, linking, white, task).transport(white.albedo, response);
   }
@@ -200,7 +209,8 @@ std::vector<float> closure_factors(const Discretisation& parts, const Linking& l
   for (const Rgb& value : response) sums.push_back(value.g);
   if (settings.closure_rays > 0)
     for (const std::uint32_t element : parts.hierarchy.order()) closed.push_back(parts.surroundings.closed[element]);
-  return normalisation(sums, closed);
+  result.factors = normalisation(sums, closed);
+  return result;
 }
 
 Interreflection interreflect(const Discretisation& parts, const Linking& linking, const Settings& settings,

@@ -5,6 +5,7 @@
 #include "common/core/random.h"
 #include "common/effects/arrangement.h"
 #include "methods/antiradiance/pull.h"
+#include "methods/antiradiance/report_message.h"
 #include "methods/antiradiance/sources.h"
 
 namespace gibench::antiradiance {
@@ -42,16 +43,20 @@ void LinkedStrategy::prepare(const World& world, const EffectPlan& plan, Task& t
     report.message = "no interreflection is called for: no elements made";
     return;
   }
-  parts_ = make_elements(world, settings(), task);
-  if (!task.cancelled() && settings().oracle == OracleKind::geometry) link(world, plan, {}, task, report);
+  const bool by_direction = visibility_on(world, plan) == Visibility::antiradiance;
+  parts_ = make_elements(world, settings(), by_direction ? direction_table_bytes(settings()) : 0.0, task, report);
+  if (parts_ && !task.cancelled() && settings().oracle == OracleKind::geometry) link(world, plan, {}, task, report);
+}
+
+Visibility LinkedStrategy::visibility_on(const World& world, const EffectPlan& plan) const {
+  return visibility(plan, plan.simulated.contains(Effect::occlusion) && arrangement_of(world) == Arrangement::general);
 }
 
 /// Makes the links and what their form factors are held to.
 void LinkedStrategy::link(const World& world, const EffectPlan& plan, std::span<const float> radiosity, Task& task,
                           StageReport& report) {
-  const bool hides = plan.simulated.contains(Effect::occlusion) && arrangement_of(world) == Arrangement::general;
-  linking_ = make_linking(world, *parts_, settings(), visibility(plan, hides), radiosity, task);
-  report.message = linking_.warning;
+  linking_ = make_linking(world, *parts_, settings(), visibility_on(world, plan), radiosity, task);
+  add_message(linking_.warning, report);
   if (linking_.refused) {
     report.termination = Termination::out_of_budget;
     return;
@@ -61,7 +66,11 @@ void LinkedStrategy::link(const World& world, const EffectPlan& plan, std::span<
   if (linking_.bins) task.count("bins", linking_.bins->count());
   task.progress("form factors", 0.6);
   if (task.cancelled()) return;
-  closure_ = closure_factors(*parts_, linking_, settings(), task);
+  Closure closure = closure_factors(*parts_, linking_, settings(), task);
+  if (closure.iterations > 0) task.count("closure_iterations", static_cast<std::uint64_t>(closure.iterations));
+  report.termination = closure.termination;
+  add_message(closure.message, report);
+  closure_ = std::move(closure.factors);
 }
 
 void LinkedStrategy::light(const World& world, const EffectPlan& plan, const PlannedLights& lights, Task& task,
@@ -88,10 +97,9 @@ void LinkedStrategy::light(const World& world, const EffectPlan& plan, const Pla
     if (!succeeded(report.termination) || task.cancelled()) return;
   }
   surfaces.closure = closure_;
-  const Interreflection solved = solve(world, plan, materials, surfaces, direct, task);
+  const Interreflection solved = solve(world, plan, lights, materials, surfaces, direct, task);
   report.termination = solved.termination;
-  report.message =
-      report.message.empty() || solved.message.empty() ? report.message + solved.message : report.message + "; " + solved.message;
+  add_message(solved.message, report);
   task.count("iterations", static_cast<std::uint64_t>(solved.iterations));
   std::vector<Rgb> means(parts_->elements.size());
   for (std::size_t leaf = 0; leaf < solved.irradiance.size(); ++leaf)
@@ -99,8 +107,9 @@ void LinkedStrategy::light(const World& world, const EffectPlan& plan, const Pla
   indirect_ = parts_->reconstruction.vertex_values(means);
 }
 
-Interreflection LinkedStrategy::solve(const World&, const EffectPlan&, std::span<const std::uint32_t> /*materials*/,
-                                      Surfaces& surfaces, std::span<const Rgb> direct, Task& task) {
+Interreflection LinkedStrategy::solve(const World&, const EffectPlan&, const PlannedLights&,
+                                      std::span<const std::uint32_t> /*materials*/, Surfaces& surfaces,
+                                      std::span<const Rgb> direct, Task& task) {
   return interreflect(*parts_, linking_, settings(), surfaces, direct, task);
 }
 
@@ -118,23 +127,39 @@ std::vector<float> LinkedStrategy::foreseen_radiosity(std::span<const Rgb> direc
 
 void LinkedStrategy::shade(const World& world, const ShadeRequest& request, const ShadeAnswer& answer, Task& task) const {
   if (answer.indirect.empty()) return;
+  std::vector<Exceptions> chunks(chunk_count(request.samples.size(), shade_chunk));
   task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Vec3* viewer = request.quantity == Quantity::radiance ? &request.toward_viewer[i] : nullptr;
-      answer.indirect[i] = indirect(world, request.samples[i], viewer, task.seed(), rays);
+      answer.indirect[i] = indirect(world, request.samples[i], viewer, task.seed(), rays, chunks[range.chunk]);
     }
   });
+  for (const Exceptions& chunk : chunks) {
+    task.count("answers_clamped", chunk.clamped);
+    task.count("answers_uncovered", chunk.uncovered);
+    task.count("answers_inside_geometry", chunk.inside);
+    task.count("answers_cut_off", chunk.cut_off);
+  }
 }
 
 /// See reconstruction.h.
 Rgb LinkedStrategy::indirect(const World& world, const SurfaceSample& sample, const Vec3* toward_viewer, std::uint64_t seed,
-                             RayStream& rays) const {
+                             RayStream& rays, Exceptions& exceptions) const {
   if (indirect_.empty() || !sample.lit_side) return {};
-  const Reconstruction::Place at = Reconstruction::place(world, parts_->mesh, parts_->elements, sample);
-  if (at.in_doubt && !is_exposed(world, world.ray_origin(sample), sample.normal, settings().backface_rays,
-                                 RandomStream(seed, asked_stage, sample.triangle), rays))
+  Reconstruction::Place at = Reconstruction::place(world, parts_->mesh, parts_->elements, sample);
+  if (!at.covered()) {
+    ++exceptions.uncovered;
     return {};
+  }
+  if (at.in_doubt && !is_exposed(world, world.ray_origin(sample), sample.normal, settings().backface_rays,
+                                 RandomStream(seed, asked_stage, sample.triangle), rays)) {
+    ++exceptions.inside;
+    return {};
+  }
+  if (parts_->reconstruction.is_parted(at.triangle) &&
+      !Reconstruction::leave_hidden_out(world, parts_->elements, sample, rays, at))
+    ++exceptions.cut_off;
   const Material& material = world.scene().material_of_object(sample.object);
   Rgb sum;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -144,7 +169,9 @@ Rgb LinkedStrategy::indirect(const World& world, const SurfaceSample& sample, co
       value = value * material.diffuse / pi + lobe_radiance(world, at.elements[k], sample, *toward_viewer);
     sum += value * at.weights[k];
   }
-  return settings().clamp ? Rgb(std::max(0.0F, sum.r), std::max(0.0F, sum.g), std::max(0.0F, sum.b)) : sum;
+  if (!settings().clamp || std::min({sum.r, sum.g, sum.b}) >= 0.0F) return sum;
+  ++exceptions.clamped;
+  return {std::max(0.0F, sum.r), std::max(0.0F, sum.g), std::max(0.0F, sum.b)};
 }
 
 std::size_t LinkedStrategy::bytes() const {

@@ -1,6 +1,7 @@
 /// The common part of the modes with linked elements: links, sums, a solution on the elements, and its interpolation.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -27,8 +28,9 @@ class LinkedStrategy : public Strategy {
   virtual void clear_all() {}
   virtual void clear_light() {}
   /// The elements' indirect light; `materials` of the leaves.
-  virtual Interreflection solve(const World& world, const EffectPlan& plan, std::span<const std::uint32_t> materials,
-                                Surfaces& surfaces, std::span<const Rgb> direct, Task& task);
+  virtual Interreflection solve(const World& world, const EffectPlan& plan, const PlannedLights& lights,
+                                std::span<const std::uint32_t> materials, Surfaces& surfaces, std::span<const Rgb> direct,
+                                Task& task);
   /// Light other than diffuse that an element's surface sends towards the viewer, W/(m² sr).
   virtual Rgb lobe_radiance(const World&, std::uint32_t /*element*/, const SurfaceSample&, const Vec3& /*toward_viewer*/) const {
     return {};
@@ -39,10 +41,18 @@ class LinkedStrategy : public Strategy {
   const std::vector<float>& closure() const { return closure_; }
 
  private:
+  Visibility visibility_on(const World& world, const EffectPlan& plan) const;
   void link(const World& world, const EffectPlan& plan, std::span<const float> radiosity, Task& task, StageReport& report);
   std::vector<float> foreseen_radiosity(std::span<const Rgb> direct, std::span<const Rgb> albedo) const;
-  Rgb indirect(const World& world, const SurfaceSample& sample, const Vec3* toward_viewer, std::uint64_t seed,
-               RayStream& rays) const;
+  /// How many answers were not interpolated as a point of an open surface is.
+  struct Exceptions {
+    std::uint64_t clamped = 0;    ///< of negative light
+    std::uint64_t uncovered = 0;  ///< without an element around them
+    std::uint64_t inside = 0;     ///< taken for inside geometry
+    std::uint64_t cut_off = 0;    ///< that other surfaces hide from all elements around them
+  };
+  Rgb indirect(const World& world, const SurfaceSample& sample, const Vec3* toward_viewer, std::uint64_t seed, RayStream& rays,
+               Exceptions& exceptions) const;
 
   std::unique_ptr<Discretisation> parts_;
   Linking linking_;

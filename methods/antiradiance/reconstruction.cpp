@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "methods/antiradiance/cell_crossings.h"
 
 namespace gibench::antiradiance {
 
@@ -10,33 +13,17 @@ namespace {
 constexpr float beside = 0.1F;         // of the cell's extent: a mean further than that from the vertex is not the vertex's
 constexpr float fewest_of_own = 0.5F;  // of a mean's weights, below which the vertex cannot be derived from it
 constexpr int sweeps = 4;
+constexpr std::size_t triangle_chunk = 128;
 
-/// Barycentrics of the second and third corner of a point in the plane of a scene triangle.
-Vec2 barycentrics_of(const Scene& scene, std::uint32_t triangle, const Vec3& point) {
-  const auto& [i, j, k] = scene.triangles[triangle].corners;
-  const Vec3d a = scene.vertices[i], b = Vec3d(scene.vertices[j]) - a, c = Vec3d(scene.vertices[k]) - a, p = Vec3d(point) - a;
-  const double bb = glm::dot(b, b), bc = glm::dot(b, c), cc = glm::dot(c, c), pb = glm::dot(p, b), pc = glm::dot(p, c);
-  const double determinant = bb * cc - bc * bc;
-  if (!(determinant > 0.0)) return {0.0F, 0.0F};
-  return {static_cast<float>((pb * cc - pc * bc) / determinant), static_cast<float>((pc * bb - pb * bc) / determinant)};
-}
-
-bool outside(const Vec2& at) { return at.x < -1e-4F || at.y < -1e-4F || at.x + at.y > 1.0F + 1e-4F; }
-
-/// A point of a cell as a sample; a part of a quad names the first of its two triangles.
-SurfaceSample sample_of(const World& world, const CellPoint& point) {
-  const Scene& scene = world.scene();
-  SurfaceSample sample;
-  sample.position = 0.5F * (point.origin + point.behind);
-  sample.normal = point.normal;
-  sample.triangle = point.triangle;
-  sample.barycentrics = barycentrics_of(scene, sample.triangle, sample.position);
-  const std::uint32_t next = sample.triangle + 1;
-  if (outside(sample.barycentrics) && next < scene.triangles.size() &&
-      scene.triangle_face[next] == scene.triangle_face[sample.triangle])
-    sample.triangle = next, sample.barycentrics = barycentrics_of(scene, next, sample.position);
-  sample.barycentrics = glm::clamp(sample.barycentrics, 0.0F, 1.0F);
-  return sample;
+/// The exposed point nearest to the element's middle; none where none is exposed.
+const CellPoint* middle_point(const Elements& elements, std::uint32_t element) {
+  const CellPoint* best = nullptr;
+  float least = std::numeric_limits<float>::infinity();
+  for (const CellPoint& point : elements.points(element)) {
+    const Vec3 d = point.origin - elements.disc(element).centre;
+    if (point.exposed && glm::dot(d, d) < least) least = glm::dot(d, d), best = &point;
+  }
+  return best;
 }
 
 float within(float value, float mean) {
@@ -51,6 +38,7 @@ Reconstruction::Place Reconstruction::place(const World& world, const SamplingMe
   const bool front = glm::dot(sample.normal, world.normal(sample.triangle)) >= 0.0F;
   if (!mesh.covers(sample.triangle, front)) return result;
   const MeshPoint at = mesh.locate(sample.triangle, sample.barycentrics, front);
+  result.triangle = at.triangle;
   result.elements = mesh.triangles()[at.triangle].corners;
   float sum = 0.0F;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -62,16 +50,19 @@ Reconstruction::Place Reconstruction::place(const World& world, const SamplingMe
   return result;
 }
 
-Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements) {
+Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, bool looks, Task& task) {
+  if (looks) find_parted(world, mesh, elements, task);
   for (std::uint32_t element = 0; element < elements.size(); ++element) {
     if (!(elements.exposed_share(element) > 0.0F)) continue;
     const float offset = glm::length(elements.disc(element).centre - mesh.vertices()[element].position);
     if (offset <= beside * elements.reach(element)) continue;
     Row row{element, static_cast<std::uint32_t>(weights_.size()), 0, 0.0F};
     float count = 0.0F;
+    bool parted = false;
     for (const CellPoint& point : elements.points(element)) {
       if (!point.exposed) continue;
       const Place at = place(world, mesh, elements, sample_of(world, point));
+      parted |= is_parted(at.triangle);
       count += 1.0F;
       for (std::size_t k = 0; k < 3; ++k) {
         if (at.elements[k] == element) {
@@ -84,7 +75,8 @@ Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, con
         else known->share += at.weights[k];
       }
     }
-    if (!(row.own > fewest_of_own * count)) {
+    // Of a parted triangle not all corners are known to count: its elements keep their means.
+    if (parted || !(row.own > fewest_of_own * count)) {
       weights_.resize(row.begin);
       continue;
     }
@@ -93,6 +85,43 @@ Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, con
     for (std::uint32_t i = row.begin; i < row.end; ++i) weights_[i].share /= count;
     rows_.push_back(row);
   }
+}
+
+void Reconstruction::find_parted(const World& world, const SamplingMesh& mesh, const Elements& elements, Task& task) {
+  parted_.assign(mesh.triangles().size(), 0);
+  task.parallel_chunks(parted_.size(), triangle_chunk, [&](const ChunkRange& range) {
+    RayStream rays = task.rays(world);
+    for (std::size_t t = range.begin; t < range.end; ++t) {
+      const MeshTriangle& triangle = mesh.triangles()[t];
+      const std::array<std::uint32_t, 1> face{world.scene().triangle_face[mesh.faces()[triangle.face].scene_triangle]};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const CellPoint *a = middle_point(elements, triangle.corners[k]),
+                        *b = middle_point(elements, triangle.corners[(k + 1) % 3]);
+        if (a != nullptr && b != nullptr && !nothing_between(world, *a, *b, face, rays)) parted_[t] = 1;
+      }
+    }
+  });
+}
+
+bool Reconstruction::leave_hidden_out(const World& world, const Elements& elements, const SurfaceSample& sample, RayStream& rays,
+                                      Place& place) {
+  CellPoint here;
+  here.origin = world.ray_origin(sample);
+  here.normal = sample.normal;
+  const std::array<std::uint32_t, 1> face{sample.face};
+  std::array<float, 3> seen{};
+  float sum = 0.0F;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(place.weights[k] > 0.0F)) continue;
+    const auto points = elements.points(place.elements[k]);
+    const bool sees = std::any_of(points.begin(), points.end(), [&](const CellPoint& point) {
+      return point.exposed && nothing_between(world, here, point, face, rays);
+    });
+    if (sees) seen[k] = place.weights[k], sum += seen[k];
+  }
+  if (!(sum > 0.0F)) return false;
+  for (std::size_t k = 0; k < 3; ++k) place.weights[k] = seen[k] / sum;
+  return true;
 }
 
 std::vector<Rgb> Reconstruction::vertex_values(std::span<const Rgb> means) const {

@@ -18,20 +18,28 @@ namespace gibench::antiradiance {
 class Reconstruction {
  public:
   Reconstruction() = default;
-  /// Neither argument is kept.
-  Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements);
+  /// No argument is kept. `looks`: rays tell which of the mesh's triangles other surfaces part.
+  Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, bool looks, Task& task);
 
   /// Values at the vertices from the elements' means (both one for each vertex); raised at most twofold, not turned in sign.
   std::vector<Rgb> vertex_values(std::span<const Rgb> means) const;
 
-  std::size_t bytes() const { return rows_.capacity() * sizeof(Row) + weights_.capacity() * sizeof(Weight); }
+  std::size_t bytes() const { return rows_.capacity() * sizeof(Row) + weights_.capacity() * sizeof(Weight) + parted_.capacity(); }
 
   /// The mesh's corners and their weights at a sample; all weights zero where there is nothing to interpolate.
   struct Place {
     std::array<std::uint32_t, 3> elements{};
     std::array<float, 3> weights{};
-    bool in_doubt = false;  ///< an element here reaches inside geometry: so may the sample
+    std::uint32_t triangle = 0;  ///< of the mesh
+    bool in_doubt = false;       ///< an element here reaches inside geometry: so may the sample
+    bool covered() const { return weights[0] + weights[1] + weights[2] > 0.0F; }
   };
+  /// Whether another surface lies between the elements of a triangle of the mesh.
+  bool is_parted(std::uint32_t triangle) const { return !parted_.empty() && parted_[triangle] != 0; }
+  /// Takes the elements out of a place that another surface hides from the sample; leaves all where it hides all, and returns
+  /// false.
+  static bool leave_hidden_out(const World& world, const Elements& elements, const SurfaceSample& sample, RayStream& rays,
+                               Place& place);
   static Place place(const World& world, const SamplingMesh& mesh, const Elements& elements, const SurfaceSample& sample);
 
  private:
@@ -43,8 +51,11 @@ class Reconstruction {
     std::uint32_t element, begin, end;
     float own;
   };
+  void find_parted(const World& world, const SamplingMesh& mesh, const Elements& elements, Task& task);
+
   std::vector<Row> rows_;  ///< of the elements beside their vertex
   std::vector<Weight> weights_;
+  std::vector<std::uint8_t> parted_;  ///< the mesh's triangles; empty: none
 };
 
 }  // namespace gibench::antiradiance

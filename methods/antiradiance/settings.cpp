@@ -44,7 +44,7 @@ const ParameterTable<Settings>& table() {
       parameter("clamp", &Settings::clamp, "answer zero where light is negative"),
       parameter("direct_samples", &Settings::direct_samples, 1, 4096, "light samples at each point of a cell"),
       parameter("passes", &Settings::passes, 1, 100,
-                "passes of accessibility, shadow passes of disc-bounce; the last two are blended"),
+                "passes of accessibility and disc-bounce, the first without what a pass before found; the last two are blended"),
       parameter("sectors", &Settings::sectors, 1, 32,
                 "accessibility by direction: n × n sectors, even, 4 at least; 1: by side alone, as in the text"),
       parameter("far_enough", &Settings::far_enough, 0.0, 1.0,

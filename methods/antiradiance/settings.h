@@ -34,7 +34,7 @@ struct Settings {
   bool clamp = true;   ///< no negative light in answers
   int direct_samples = 4;
   // Passes of accessibility and disc-bounce.
-  int passes = 2;
+  int passes = 3;               ///< the last two are blended; 2 in the text
   int sectors = 8;              ///< along a side of the map of the sphere; 1: front and back
   float far_enough = 0.02F;     ///< largest form factor of a node that stands for its elements; 0: every element (naive)
   double memory_budget = 2048;  ///< MiB

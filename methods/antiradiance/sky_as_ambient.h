@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "common/core/rgb.h"
 #include "common/lighting/direct_light.h"
@@ -9,9 +10,14 @@
 
 namespace gibench::antiradiance {
 
+/// Mean radiance of all environments over each sector of directions, W/(m² sr); over the whole sphere, as one, without
+/// sectors.
+std::vector<Rgb> sky_by_sector(const std::vector<Light>& lights, const DirectionBins* sectors);
+
 class SkyAsAmbient {
  public:
-  SkyAsAmbient(const World& world, const Lighting& lighting, const DirectLightOptions& options);
+  /// `sectors`: those of the accessibility that will be asked, or none.
+  SkyAsAmbient(const World& world, const Lighting& lighting, const DirectLightOptions& options, const DirectionBins* sectors);
 
   /// Irradiance, W/m², or (with a direction towards the viewer) radiance, W/(m² sr), emission included. `of_samples`: how many
   /// are asked together, among which the light samples are shared.
@@ -19,9 +25,12 @@ class SkyAsAmbient {
              const Accessibility& accessibility, RayStream& rays) const;
 
  private:
+  Rgb ambient(const SurfaceSample& sample, const Accessibility& accessibility) const;
+
   const World& world_;
-  DirectLight others_;  ///< all lights but the environments
-  Rgb radiance_;        ///< mean over the sphere of all environments, W/(m² sr)
+  DirectLight others_;    ///< all lights but the environments
+  std::vector<Rgb> sky_;  ///< of sky_by_sector()
+  bool has_sky_ = false;
 };
 
 }  // namespace gibench::antiradiance

@@ -29,15 +29,14 @@ const CellPoint& exposed_point(std::span<const CellPoint> points, float u) {
 }
 
 /// Share of the segments of one link that are free; of those whose ends look away from each other nothing is learnt.
-float free_share(const Elements& elements, const Hierarchy& hierarchy, const Node& to, const Sender& sender, int count,
+float free_share(const Elements& elements, const Hierarchy& hierarchy, std::uint32_t to, const Sender& sender, int count,
                  RandomStream random, RayStream& rays) {
-  const Node& from = hierarchy.nodes()[sender.node()];
   int tried = 0, open = 0;
   for (int ray = 0; ray < count; ++ray) {
-    const auto element_of = [&](const Node& node) {
-      return hierarchy.order()[node.begin + pick(random.next_float(), node.end - node.begin)];
+    const auto points_of = [&](std::uint32_t node) {
+      return elements.points(hierarchy.element(hierarchy.leaf_by_area(node, random.next_float())));
     };
-    const auto receiving = elements.points(element_of(to)), sending = elements.points(element_of(from));
+    const auto receiving = points_of(to), sending = points_of(sender.node());
     const CellPoint &end = exposed_point(receiving, random.next_float()), &start = exposed_point(sending, random.next_float());
     const Vec3 origin = sender.to_back() ? end.behind : end.origin, target = sender.from_back() ? start.behind : start.origin;
     const Vec3 way = target - origin;
@@ -119,10 +118,10 @@ void trace_links(const World& world, const Elements& elements, const Hierarchy& 
                  Task& task) {
   task.parallel_chunks(hierarchy.size(), node_chunk, [&](const ChunkRange& range) {
     RayStream stream = task.rays(world);
-    for (std::size_t p = range.begin; p < range.end; ++p)
+    for (auto p = static_cast<std::uint32_t>(range.begin); p < range.end; ++p)
       for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link)
-        links.factors[link] *= free_share(elements, hierarchy, hierarchy.nodes()[p], links.senders[link], rays,
-                                          RandomStream(task.seed(), link_stage, link), stream);
+        links.factors[link] *=
+            free_share(elements, hierarchy, p, links.senders[link], rays, RandomStream(task.seed(), link_stage, link), stream);
   });
   take_out_blocked(links);
 }

@@ -10,7 +10,7 @@
 
 namespace gibench::antiradiance {
 
-/// Multiplies every link's factor by the share of `rays` segments between random points of both ends' cells that nothing
+/// Multiplies every link's factor by the share of `rays` segments between random points of both ends, even by area, that nothing
 /// stops, and takes out the links that are wholly blocked. Points inside geometry are not drawn: areas do not hold them either.
 void trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, LinkTable& links,
                  Task& task);

@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "common/core/sampling.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/scene/made_scenes.h"
 #include "methods/antiradiance/discretisation.h"
+#include "methods/antiradiance/form_factor.h"
+#include "methods/antiradiance/sky_as_ambient.h"
 
 namespace gibench::antiradiance {
 namespace {
@@ -73,7 +77,7 @@ TEST(Accessibility, IsAHalfAtTheFootOfAWallWithGroundBehindIt) {
   const World world(wall_on_ground());
   const Discretisation parts(world, settings("1500"), task);
   for (const int sectors : {4, 8})
-    for (const int passes : {1, 2, 3}) {
+    for (const int passes : {2, 3, 4}) {
       Accessibility accessibility(parts.elements, parts.hierarchy, far_enough, sectors);
       accessibility.compute(passes, task);
       // Half the sky, and what looks past the wall's ends and over its top: 1/2 + 0.0002 at a millimetre.
@@ -87,7 +91,7 @@ TEST(Accessibility, BySideAloneTakesTheWallsShadowAway) {
   const World world(wall_on_ground());
   const Discretisation parts(world, settings("1500"), task);
   Accessibility accessibility(parts.elements, parts.hierarchy, far_enough, 1);
-  accessibility.compute(2, task);
+  accessibility.compute(3, task);
   EXPECT_GT(accessibility.at({0.001F, 1e-5F, 0.0F}, {0.0F, 1.0F, 0.0F}), 0.6F);
 }
 
@@ -99,7 +103,7 @@ TEST(Accessibility, ComesToTracedRaysWithSectors) {
   std::vector<double> errors;
   for (const int sectors : {1, 4, 8}) {
     Accessibility accessibility(parts.elements, parts.hierarchy, far_enough, sectors);
-    accessibility.compute(2, task);
+    accessibility.compute(3, task);
     errors.push_back(sampled.error(world, accessibility));
   }
   EXPECT_LT(errors[1], errors[0]);
@@ -112,7 +116,7 @@ TEST(Accessibility, OfAClosedRoomIsThatOfTracedRays) {
   const World world(made::box_scene());
   const Discretisation parts(world, settings("1500"), task);
   Accessibility accessibility(parts.elements, parts.hierarchy, far_enough, 8);
-  accessibility.compute(2, task);
+  accessibility.compute(3, task);
   // Nought, but for the undersides of blocks that stand on the floor's plane.
   EXPECT_LT(Sampled(world).error(world, accessibility), 0.02);
 }
@@ -122,12 +126,88 @@ TEST(Accessibility, BySectorsIsTheSameNaiveAndHierarchical) {
   const World world(yard());
   const Discretisation parts(world, settings("1000"), task);
   Accessibility fast(parts.elements, parts.hierarchy, far_enough, 8), naive(parts.elements, parts.hierarchy, 0.0F, 8);
-  fast.compute(2, task);
-  naive.compute(2, task);
+  fast.compute(3, task);
+  naive.compute(3, task);
   EXPECT_LT(fast.evaluations(), naive.evaluations());
   for (const SurfaceSample& sample : area_uniform_samples(world, 300, 6)) {
     const Vec3 point = world.ray_origin(sample);
     EXPECT_NEAR(fast.at(point, sample.normal), naive.at(point, sample.normal), 0.02F);
+  }
+}
+
+/// A small square above the point, and a square of twice its size at twice the height: seen under one solid angle.
+Scene two_plates() {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.quad("low", white, {{{-0.5F, 1.0F, -0.5F}, {0.5F, 1.0F, -0.5F}, {0.5F, 1.0F, 0.5F}, {-0.5F, 1.0F, 0.5F}}}, true);
+  builder.quad("high", white, {{{-1.0F, 2.0F, -1.0F}, {1.0F, 2.0F, -1.0F}, {1.0F, 2.0F, 1.0F}, {-1.0F, 2.0F, 1.0F}}}, true);
+  return builder.build("two plates");
+}
+
+/// Form factor of a point to a parallel square of this half side, straight above it.
+double square_share(double half_side, double height) {
+  const double x = half_side / height, root = std::sqrt(1.0 + x * x);
+  return 4.0 / pi_double * x / root * std::atan(x / root);
+}
+
+TEST(Accessibility, OfTwoPassesIsTheMeanOfTheFirstAndTheSecond) {
+  const double each = square_share(0.5, 1.0);
+  // Of the low plate's upper side the high one leaves this much, in the mean over it.
+  constexpr int steps = 40;
+  double open = 0.0;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const Vec3 at((static_cast<float>(i) + 0.5F) / steps - 0.5F, 1.0F, (static_cast<float>(k) + 0.5F) / steps - 0.5F);
+      const std::array<Vec3, 4> high{Vec3(-1.0F, 2.0F, -1.0F), Vec3(1.0F, 2.0F, -1.0F), Vec3(1.0F, 2.0F, 1.0F),
+                                     Vec3(-1.0F, 2.0F, 1.0F)};
+      open += 1.0 - static_cast<double>(polygon_form_factor(at, {0.0F, 1.0F, 0.0F}, high));
+    }
+  open /= steps * steps;
+  // The first pass: both block whole. The second: the low one blocks what reaches it. The third is the second again.
+  const double first = 1.0 - 2.0 * each, second = 1.0 - each - each * open;
+  Task task;
+  const World world(two_plates());
+  const Discretisation parts(world, settings("1500"), task);
+  const std::array<double, 3> expected{first, 0.5 * (first + second), second};
+  for (int passes = 1; passes <= 3; ++passes) {
+    Accessibility accessibility(parts.elements, parts.hierarchy, 0.0F, 1);
+    accessibility.compute(passes, task);
+    EXPECT_NEAR(accessibility.at(Vec3(0.0F), {0.0F, 1.0F, 0.0F}), expected[static_cast<std::size_t>(passes) - 1], 0.005)
+        << passes;
+  }
+}
+
+/// Half of the sky: bright where x > 0 before it is turned.
+EnvironmentLight half_sky(float rotate_y_degrees) {
+  auto image = std::make_shared<EnvironmentImage>();
+  image->width = 64, image->height = 32;
+  for (int row = 0; row < image->height; ++row)
+    for (int column = 0; column < image->width; ++column) image->pixels.emplace_back(2 * column >= image->width ? 1.0F : 0.0F);
+  return {Rgb(1.0F), image, rotate_y_degrees};
+}
+
+TEST(SkyAsAmbient, LightsASurfaceFromWhereItLooks) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.quad("to the right", white, {{{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 1.0F}}}, true);
+  const World world(builder.build("card"));
+  Task task;
+  Settings rule = settings("100");
+  rule.sectors = 8;
+  const Discretisation parts(world, rule, task);
+  for (const float turn : {0.0F, 90.0F, 200.0F}) {
+    const Lighting lighting{{half_sky(turn)}, std::vector<Rgb>(world.scene().materials.size())};
+    Accessibility accessibility(parts.elements, parts.hierarchy, far_enough, rule.sectors);
+    accessibility.compute(3, task);
+    const SkyAsAmbient sky(world, lighting, {}, accessibility.sectors());
+    const DirectLight exact(world, lighting);
+    RayStream rays = task.rays(world);
+    for (const float side : {1.0F, -1.0F}) {
+      SurfaceSample sample = world.sample_at(0, {0.3F, 0.3F}, {side, 0.0F, 0.0F});
+      const float wanted = exact.irradiance(sample, 1, 4096, rays).g;
+      // Of sectors that the border of the sky crosses, the mean counts.
+      EXPECT_NEAR(sky.answer(sample, nullptr, 1, 1, accessibility, rays).g, wanted, 0.05F * pi) << turn << ' ' << side;
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
 #include "common/scene/made_scenes.h"
+#include "methods/antiradiance/settings.h"
 
 namespace gibench {
 namespace {
@@ -32,13 +34,19 @@ class Solved {
   }
   std::vector<Rgb> irradiance(const std::vector<SurfaceSample>& samples) {
     std::vector<Rgb> indirect(samples.size());
-    const StageReport report = method_->shade({Quantity::irradiance, samples, {}}, {{}, indirect, {}, {}, {}}, task_);
-    EXPECT_TRUE(succeeded(report.termination)) << report.message;
+    shaded = method_->shade({Quantity::irradiance, samples, {}}, {{}, indirect, {}, {}, {}}, task_);
+    EXPECT_TRUE(succeeded(shaded.termination)) << shaded.message;
     return indirect;
   }
   std::vector<SurfaceSample> samples(std::size_t count = 2000) const { return area_uniform_samples(world_, count, 5); }
+  std::vector<SurfaceSample> samples_of_object(std::uint32_t object, std::size_t count) const {
+    std::vector<SurfaceSample> found;
+    for (const SurfaceSample& sample : samples(count))
+      if (sample.object == object) found.push_back(sample);
+    return found;
+  }
   const World& world() const { return world_; }
-  StageReport prepared, lit;
+  StageReport prepared, lit, shaded;
 
  private:
   World world_;
@@ -103,30 +111,170 @@ TEST(Antiradiance, ComesToTracedVisibilityAsBinsAndLinksGrow) {
   EXPECT_LT(fine_difference, coarse_difference);
 }
 
+/// A lit square, two black sheets above it, and behind both of them a black receiver.
+Scene behind_two_sheets() {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.8F)), black = builder.diffuse("black", Rgb(0.0F));
+  const auto facing_down = [&](const std::string& name, float height, float half) {
+    builder.quad(name, black, {{{-half, height, -half}, {half, height, -half}, {half, height, half}, {-half, height, half}}});
+  };
+  builder.quad("lit", white, {{{-0.5F, 0.0F, 0.5F}, {0.5F, 0.0F, 0.5F}, {0.5F, 0.0F, -0.5F}, {-0.5F, 0.0F, -0.5F}}});
+  facing_down("first sheet", 1.0F, 2.0F);
+  facing_down("second sheet", 1.5F, 2.0F);
+  facing_down("receiver", 2.5F, 0.3F);
+  builder.light(PointLight{{0.0F, 0.9F, 0.0F}, Rgb(1.0F)});
+  return builder.build("behind two sheets");
+}
+
+/// Irradiance on a point that faces down, of light that the lit square reflects and nothing hides.
+double unshadowed(const Vec3& point) {
+  constexpr int steps = 100;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const Vec3 from((static_cast<float>(i) + 0.5F) / steps - 0.5F, 0.0F, (static_cast<float>(k) + 0.5F) / steps - 0.5F);
+      const Vec3 to_light = Vec3(0.0F, 0.9F, 0.0F) - from, d = point - from;
+      const double light = static_cast<double>(glm::dot(to_light, to_light)), squared = static_cast<double>(glm::dot(d, d));
+      const double irradiance = static_cast<double>(to_light.y) / (light * std::sqrt(light));
+      sum += 0.8 * irradiance / pi_double * static_cast<double>(d.y * d.y) / (squared * squared) / (steps * steps);
+    }
+  return sum;
+}
+
 TEST(Antiradiance, FirstTermHasNoShadowsAndTheSecondTakesTooMuch) {
-  const Scene scene = made::box_scene();
-  std::vector<double> means;
-  std::vector<SurfaceSample> samples;
-  for (const char* iterations : {"1", "2", "0"}) {
-    Solved solved(scene, {{"elements", "1500"}, {"iterations", iterations}, {"clamp", "false"}});
-    if (samples.empty()) samples = solved.samples();
-    const auto values = solved.irradiance(samples);
-    means.push_back(mean(values));
+  // The second term takes the light away once for each sheet; the third gives back what the first sheet took from the second.
+  for (const auto& [iterations, share, tolerance] :
+       {std::tuple("1", 1.0, 0.05), std::tuple("2", -1.0, 0.2), std::tuple("3", 0.0, 0.1), std::tuple("0", 0.0, 0.1)}) {
+    Solved solved(behind_two_sheets(),
+                  {{"elements", "3000"}, {"closure_rays", "0"}, {"iterations", iterations}, {"clamp", "false"}});
+    const auto samples = solved.samples_of_object(3, 20000);
+    double exact = 0.0;
+    for (const SurfaceSample& sample : samples) exact += unshadowed(sample.position) / static_cast<double>(samples.size());
+    EXPECT_NEAR(mean(solved.irradiance(samples)), share * exact, tolerance * exact) << iterations;
     EXPECT_EQ(solved.lit.termination, std::string(iterations) == "0" ? Termination::converged : Termination::bound_reached);
   }
-  // One bounce unshadowed against all bounces shadowed: the second term brings a bounce and takes shadows.
-  EXPECT_NE(means[0], means[1]);
-  EXPECT_GT(means[2], 0.0);
+}
+
+TEST(Antiradiance, NegativeAnswersAreClampedAndCounted) {
+  Solved solved(behind_two_sheets(), {{"elements", "3000"}, {"closure_rays", "0"}, {"iterations", "2"}});
+  const auto samples = solved.samples_of_object(3, 20000);
+  for (const Rgb& value : solved.irradiance(samples)) EXPECT_EQ(value, Rgb());
+  EXPECT_EQ(solved.shaded.counters["answers_clamped"], samples.size());
+}
+
+/// The text's elements and links need no ray; its accessibility blends the first two passes of sides alone.
+TEST(Antiradiance, PaperPresetLeavesOutWhatTheTextDoesNotHave) {
+  const MethodEntry entry = antiradiance_entry();
+  const Setting paper = with_preset(entry.presets, "paper", {{"elements", "300"}});
+  for (const char* mode : {"accessibility", "disc-bounce", "implicit", "antiradiance"}) {
+    Setting setting = paper;
+    setting.emplace_back("mode", mode);
+    Solved solved(made::box_scene(), setting);
+    EXPECT_TRUE(succeeded(solved.prepared.termination)) << solved.prepared.message;
+    EXPECT_EQ(solved.prepared.counters["closest_hit_rays"], 0U) << mode;
+    EXPECT_EQ(solved.prepared.counters["occlusion_rays"], 0U) << mode;
+  }
+  const antiradiance::Settings settings = antiradiance::settings_from(Parameters(entry.schema, paper));
+  EXPECT_EQ(settings.passes, 2);
+  EXPECT_EQ(settings.sectors, 1);
+  EXPECT_EQ(settings.bin_winner, antiradiance::BinWinner::links);
+  EXPECT_FALSE(settings.near_cells);
 }
 
 TEST(Antiradiance, ConvexRoomKeepsNoDirectionsAndTracesNoVisibility) {
   made::BoxOptions options;
-  options.blocks = false;
   options.lamp_emission = Rgb();
   options.lights = {PointLight{{0.5F, 0.8F, 0.5F}, Rgb(1.0F)}};
-  Solved solved(made::box_scene(options), {{"elements", "1000"}});
-  EXPECT_EQ(solved.prepared.counters["bins"], 0U);
-  EXPECT_EQ(solved.prepared.counters["occlusion_rays"], 0U);
+  for (const bool blocks : {false, true}) {
+    options.blocks = blocks;
+    Solved directions(made::box_scene(options), {{"elements", "500"}, {"bins", "8"}}),
+        traced(made::box_scene(options), {{"mode", "radiosity"}, {"elements", "500"}});
+    EXPECT_EQ(directions.prepared.counters["bins"], blocks ? 64U : 0U);
+    EXPECT_EQ(directions.prepared.counters["occlusion_rays"], 0U);
+    EXPECT_EQ(traced.prepared.counters["occlusion_rays"] > 0U, blocks);
+  }
+}
+
+/// A room with a black lamp in its ceiling's plane, or so many metres below.
+Scene room_with_lamp(float below, bool lamp_first) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F)), lamp = builder.diffuse("lamp", Rgb(0.0F), Rgb(10.0F));
+  const auto add_lamp = [&] {
+    const float y = 1.0F - below;
+    builder.quad("lamp", lamp, {{{0.4F, y, 0.4F}, {0.6F, y, 0.4F}, {0.6F, y, 0.6F}, {0.4F, y, 0.6F}}});
+  };
+  if (lamp_first) add_lamp();
+  builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+  if (!lamp_first) add_lamp();
+  return builder.build("room with a lamp");
+}
+
+TEST(Antiradiance, LampInTheCeilingsPlaneIsAsOneJustBelow) {
+  for (const char* mode : {"radiosity", "antiradiance"}) {
+    const Setting setting{{"mode", mode}, {"elements", "600"}, {"bins", "8"}};
+    Solved below(room_with_lamp(1e-4F, false), setting);
+    std::vector<SurfaceSample> samples = below.samples_of_object(0, 2000);
+    std::erase_if(samples, [](const SurfaceSample& sample) {  // above the lamp is inside geometry where it hangs lower
+      return sample.position.y > 0.9F && std::fabs(sample.position.x - 0.5F) < 0.11F &&
+             std::fabs(sample.position.z - 0.5F) < 0.11F;
+    });
+    const auto expected = below.irradiance(samples);
+    for (const bool lamp_first : {false, true}) {
+      Solved flush(room_with_lamp(0.0F, lamp_first), setting);
+      std::vector<SurfaceSample> same = samples;
+      for (SurfaceSample& sample : same)
+        if (lamp_first) ++sample.object, ++sample.face, sample.triangle += 2;
+      EXPECT_LT(difference(flush.irradiance(same), expected), 0.03) << mode << ' ' << lamp_first;
+    }
+  }
+}
+
+/// A closed room that a one-sided sheet parts, lit below it.
+Scene parted_room() {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.7F));
+  builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+  builder.quad("sheet", white, {{{0.0F, 0.48F, 0.0F}, {0.0F, 0.48F, 1.0F}, {1.0F, 0.48F, 1.0F}, {1.0F, 0.48F, 0.0F}}});
+  builder.light(PointLight{{0.5F, 0.2F, 0.5F}, Rgb(1.0F)});
+  return builder.build("parted room");
+}
+
+TEST(Antiradiance, NoLightLeaksAlongASheetThatPartsARoom) {
+  for (const char* mode : {"radiosity", "antiradiance"}) {
+    Solved solved(parted_room(), {{"mode", mode}, {"elements", "400"}});
+    EXPECT_GT(solved.prepared.counters["elements_parted_by_surfaces"], 0U);
+    EXPECT_NE(solved.prepared.message.find("cross"), std::string::npos) << solved.prepared.message;
+    std::vector<SurfaceSample> above, below;
+    for (const SurfaceSample& sample : solved.samples(20000)) {
+      if (sample.object != 0 || std::fabs(sample.normal.y) > 0.5F) continue;
+      if (sample.position.y > 0.48F && sample.position.y < 0.6F) above.push_back(sample);
+      if (sample.position.y < 0.48F && sample.position.y > 0.36F) below.push_back(sample);
+    }
+    EXPECT_LT(mean(solved.irradiance(above)), 0.01 * mean(solved.irradiance(below))) << mode;
+  }
+}
+
+TEST(Antiradiance, SlabsThinnerThanAnElementAreReported) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+  builder.block("slab", white, {0.2F, 0.5F, 0.2F}, {0.8F, 0.51F, 0.8F});
+  builder.light(PointLight{{0.5F, 0.2F, 0.5F}, Rgb(1.0F)});
+  const Scene scene = builder.build("thin slab");
+  Solved solved(scene, {{"elements", "400"}, {"bins", "4"}}), traced(scene, {{"mode", "radiosity"}, {"elements", "400"}});
+  EXPECT_GT(solved.prepared.counters["elements_on_thin_slabs"], 10U);
+  EXPECT_NE(solved.prepared.message.find("behind them"), std::string::npos) << solved.prepared.message;
+  EXPECT_EQ(traced.prepared.counters["elements_on_thin_slabs"], 0U);  // rays tell such surfaces apart
+}
+
+TEST(Antiradiance, WhatDoesNotFitIsRefusedBeforeAnyRay) {
+  Scene scene = made::random_triangles(2000, 1.0F, 0.1F, 1);
+  scene.lights = {PointLight{Vec3(0.5F), Rgb(1.0F)}};
+  Solved solved(std::move(scene), {{"elements", "100"}, {"memory_budget", "4"}});
+  EXPECT_EQ(solved.prepared.termination, Termination::out_of_budget);
+  EXPECT_NE(solved.prepared.message.find("memory_budget"), std::string::npos) << solved.prepared.message;
+  EXPECT_NE(solved.prepared.message.find("where 100 were asked for"), std::string::npos) << solved.prepared.message;
+  EXPECT_EQ(solved.prepared.counters["closest_hit_rays"], 0U);
 }
 
 /// A bright wall, a receiver before it, and between them a plate much smaller than a bin.

@@ -18,7 +18,7 @@ struct Made {
       : world(std::move(scene)),
         task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}}),
         mesh(world, {edge_length, 40.0F, true}),
-        elements(world, mesh, 16, 8, task),
+        elements(world, mesh, 16, {8, true}, task),
         hierarchy(elements, {}, task) {}
   World world;
   Task task;
@@ -71,6 +71,117 @@ TEST(Elements, InsideGeometryTakeNoPart) {
       exposed += static_cast<double>(made.elements.disc(i).area);
   // 16 points per cell: the covered share is known to within one sixteenth of the cells along the block's foot.
   EXPECT_NEAR(exposed, 16.0 - 4.0, 32.0 * 0.0625 / 16.0 + 0.02);
+}
+
+TEST(Elements, BehindACoplanarFaceTakeNoPart) {
+  for (const bool rug_first : {true, false}) {
+    made::SceneBuilder builder;
+    const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+    const auto square = [&](const std::string& name, float low, float high) {
+      builder.quad(name, white, {{{low, 0.0F, low}, {low, 0.0F, high}, {high, 0.0F, high}, {high, 0.0F, low}}});
+    };
+    if (rug_first) square("rug", 1.0F, 3.0F);
+    square("floor", 0.0F, 4.0F);
+    if (!rug_first) square("rug", 1.0F, 3.0F);
+    const Made made(builder.build("rug in a floor's plane"), 0.25);
+    const std::uint32_t floor = rug_first ? 2 : 0;
+    double of_floor = 0.0, of_rug = 0.0;
+    for (std::uint32_t i = 0; i < made.elements.size(); ++i) {
+      const Disc& disc = made.elements.disc(i);
+      (made.elements.sheet(i) == floor ? of_floor : of_rug) += static_cast<double>(disc.area);
+      if (made.elements.sheet(i) != floor || !(disc.area > 0.0F)) continue;
+      EXPECT_FALSE(disc.centre.x > 1.0F && disc.centre.x < 3.0F && disc.centre.z > 1.0F && disc.centre.z < 3.0F);
+    }
+    // 16 points per cell, as below a block's foot.
+    EXPECT_NEAR(of_floor, 16.0 - 4.0, 32.0 * 0.0625 / 16.0 + 0.02) << rug_first;
+    EXPECT_NEAR(of_rug, 4.0, 1e-4) << rug_first;
+  }
+}
+
+/// A room that a sheet parts at this height; its back is black.
+Scene parted_room(float height) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+  builder.quad("sheet", white, {{{0.0F, height, 0.0F}, {0.0F, height, 1.0F}, {1.0F, height, 1.0F}, {1.0F, height, 0.0F}}});
+  return builder.build("parted room");
+}
+
+TEST(Elements, ThatASurfaceCrossesStandForOneSideOfIt) {
+  const float height = 0.53F;
+  const Made made(parted_room(height), 0.1);
+  std::size_t parted = 0;
+  for (std::uint32_t i = 0; i < made.elements.size(); ++i) {
+    bool above = false, below = false;
+    for (const CellPoint& point : made.elements.points(i)) {
+      if (!point.exposed || std::fabs(point.normal.y) > 0.5F) continue;
+      (point.origin.y > height ? above : below) = true;
+    }
+    EXPECT_FALSE(above && below) << i;
+    if (made.elements.parted(i)) ++parted;
+  }
+  // The four walls have eleven vertices along the sheet.
+  EXPECT_GE(parted, 40U);
+}
+
+TEST(Elements, OnThinSlabsAreKnown) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.block("slab", white, Vec3(0.0F), {1.0F, 0.01F, 1.0F});
+  builder.block("block", white, {3.0F, 0.0F, 0.0F}, {4.0F, 1.0F, 1.0F});
+  const Made made(builder.build("slab and block"), 0.2);
+  for (std::uint32_t i = 0; i < made.elements.size(); ++i) {
+    const bool of_slab = made.elements.sheet(i) == 0, broad = std::fabs(made.elements.disc(i).normal.y) > 0.5F;
+    if (of_slab && broad) {
+      EXPECT_TRUE(made.elements.backed(i)) << i;
+    }
+    if (!of_slab) {
+      EXPECT_FALSE(made.elements.backed(i)) << i;
+    }
+  }
+}
+
+/// A chain that turns right at every node: a tree as deep as it can be.
+TEST(Hierarchy, TreesOfAnyDepthAreVisitedToTheirLeaves) {
+  constexpr std::uint32_t leaves = 1000;
+  std::vector<Node> nodes;
+  for (std::uint32_t depth = 0; depth + 1 < leaves; ++depth) {
+    Node inner, leaf;
+    inner.begin = depth, inner.end = leaves, inner.right = static_cast<std::uint32_t>(nodes.size()) + 2;
+    leaf.begin = depth, leaf.end = depth + 1;
+    nodes.push_back(inner);
+    nodes.push_back(leaf);
+  }
+  Node last;
+  last.begin = leaves - 1, last.end = leaves;
+  nodes.push_back(last);
+  std::uint32_t met = 0, visited = 0;
+  visit_down(nodes, 0, [&](std::uint32_t node) {
+    ++visited;
+    if (nodes[node].is_leaf()) {
+      EXPECT_EQ(nodes[node].begin, met++);
+    }
+    return true;
+  });
+  EXPECT_EQ(met, leaves);
+  EXPECT_EQ(visited, nodes.size());
+  visited = 0;
+  visit_down(nodes, 0, [&](std::uint32_t node) { return ++visited, nodes[node].begin < 10; });
+  EXPECT_EQ(visited, 21U);  // ten inner nodes that were opened, their leaves, and the next inner node
+}
+
+TEST(Hierarchy, DrawsLeavesByArea) {
+  const Made made(made::box_scene(), 0.2);
+  constexpr int draws = 100'000;
+  const std::uint32_t root = made.hierarchy.roots()[0];
+  std::vector<double> drawn(made.hierarchy.leaf_count(), 0.0);
+  for (int i = 0; i < draws; ++i)
+    drawn[made.hierarchy.leaf_by_area(root, (static_cast<float>(i) + 0.5F) / draws).begin] += 1.0 / draws;
+  const Node& whole = made.hierarchy.nodes()[root];
+  for (std::uint32_t leaf = whole.begin; leaf < whole.end; ++leaf) {
+    const float area = made.hierarchy.nodes()[made.hierarchy.leaf_node(leaf)].area;
+    EXPECT_NEAR(drawn[leaf], static_cast<double>(area / whole.area), 2.0 / draws + 1e-5) << leaf;
+  }
 }
 
 TEST(Hierarchy, BoundsItsElements) {

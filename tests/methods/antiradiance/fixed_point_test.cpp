@@ -70,6 +70,35 @@ TEST(FixedPoint, SingularSystemIsReported) {
   EXPECT_NE(solved.outcome.message.find("BiCGSTAB"), std::string::npos);
 }
 
+/// Wherever a solver is stopped: what it calls converged has the residual that was asked for.
+TEST(FixedPoint, ConvergedMeansTheResidualAskedFor) {
+  Vector eigenvalues = Vector::LinSpaced(40, -12.0F, 0.9F);
+  eigenvalues[0] = 4.0F;
+  const Vector b = Vector::Ones(eigenvalues.size());
+  int converged = 0, ended = 0;
+  for (const double asked : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
+    for (int most = 1; most <= 60; ++most) {
+      const Solved solved = solve(eigenvalues, {asked, most, 0});
+      const Vector left = b + eigenvalues.cwiseProduct(solved.x) - solved.x;
+      const double residual = static_cast<double>(left.norm()) / static_cast<double>(solved.x.norm());
+      if (solved.outcome.termination == Termination::converged) {
+        ++converged;
+        EXPECT_LT(residual, 1.01 * asked) << solved.outcome.message;
+      } else {
+        ++ended;
+      }
+    }
+  EXPECT_GT(converged, 50);
+  EXPECT_GT(ended, 50);
+}
+
+TEST(FixedPoint, KrylovReachesASmallResidual) {
+  const Vector eigenvalues = Vector::LinSpaced(40, 0.0F, 0.995F);
+  const Solved solved = solve(eigenvalues, {1e-5, 400, 0});
+  EXPECT_EQ(solved.outcome.termination, Termination::converged) << solved.outcome.message;
+  expect_solution(solved, eigenvalues, 1e-3F);
+}
+
 TEST(FixedPoint, NoLightNeedsNoIteration) {
   Task task;
   Vector x;

@@ -1,7 +1,10 @@
 /// Links, what they sum to, what they cost, and the passes over the hierarchy whose cost must grow as n log n.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/scene/made_scenes.h"
@@ -46,7 +49,7 @@ TEST(Links, OfAClosedRoomSumToOneEverywhere) {
     squares += std::pow(static_cast<double>(sum.g) - 1.0, 2.0);
   }
   EXPECT_LT(std::sqrt(squares / static_cast<double>(sums.size())), 0.02);
-  const std::vector<float> closure = closure_factors(parts, linking, rule, task);
+  const std::vector<float> closure = closure_factors(parts, linking, rule, task).factors;
   for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(sums[i].g * closure[i], 1.0F, 1e-5F);
 }
 
@@ -96,10 +99,10 @@ TEST(Links, RadiosityOracleSpendsLinksWhereLightIs) {
   const Settings rule = settings({{"elements", "1000"}});
   const Discretisation parts(world, rule, task);
   std::vector<float> radiosity(parts.hierarchy.size(), 0.01F);
-  const std::uint32_t bright = parts.hierarchy.roots()[0];
-  for (std::size_t i = bright; i < bright + 2 * (parts.hierarchy.nodes()[bright].end - parts.hierarchy.nodes()[bright].begin) - 1;
-       ++i)
-    radiosity[i] = 1.0F;
+  // The floor.
+  const auto is_bright = [&](const Node& node) { return node.sheet == 0; };
+  for (std::size_t i = 0; i < radiosity.size(); ++i)
+    if (is_bright(parts.hierarchy.nodes()[i])) radiosity[i] = 1.0F;
   RefinementCounts counts;
   RefinementRule geometry{Facing::fronts, 0.02F}, by_light = geometry;
   by_light.radiosity = radiosity;
@@ -109,10 +112,111 @@ TEST(Links, RadiosityOracleSpendsLinksWhereLightIs) {
   const auto from_bright = [&](const LinkTable& table) {
     double count = 0.0;
     for (const Sender sender : table.senders)
-      if (parts.hierarchy.nodes()[sender.node()].begin < parts.hierarchy.nodes()[bright].end) count += 1.0;
+      if (is_bright(parts.hierarchy.nodes()[sender.node()])) count += 1.0;
     return count / static_cast<double>(table.size());
   };
   EXPECT_GT(from_bright(some), 1.5 * from_bright(all));
+}
+
+TEST(Links, WhoseSumsDoNotConvergeAreReported) {
+  const World world(made::box_scene());
+  Task task;
+  const Settings rule = settings({{"elements", "300"}, {"bins", "4"}, {"most_iterations", "1"}, {"residual", "1e-7"}});
+  const Discretisation parts(world, rule, task);
+  const Linking linking = make_linking(world, parts, rule, Visibility::antiradiance, {}, task);
+  const Closure closure = closure_factors(parts, linking, rule, task);
+  EXPECT_EQ(closure.termination, Termination::not_converged);
+  EXPECT_TRUE(closure.factors.empty());
+  EXPECT_NE(closure.message.find("most_iterations"), std::string::npos) << closure.message;
+}
+
+/// A small bright-side sender of many tiny elements in view, and a large element that a plate hides.
+struct HiddenSender {
+  HiddenSender() {
+    made::SceneBuilder builder;
+    const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+    builder.quad("receiver", white, {{{-0.1F, 0.0F, 0.1F}, {0.1F, 0.0F, 0.1F}, {0.1F, 0.0F, -0.1F}, {-0.1F, 0.0F, -0.1F}}});
+    // Seen from above: one of 1 m² on the left, behind the plate; twenty-five of 1 cm² on the right.
+    std::vector<Vec3> corners;
+    std::vector<std::array<std::uint32_t, 4>> faces;
+    const auto add = [&](float x, float z, float size) {
+      const auto first = static_cast<std::uint32_t>(corners.size());
+      for (const Vec3& corner :
+           {Vec3(x, 2.0F, z), Vec3(x + size, 2.0F, z), Vec3(x + size, 2.0F, z + size), Vec3(x, 2.0F, z + size)})
+        corners.push_back(corner);
+      faces.push_back({first, first + 1, first + 2, first + 3});
+    };
+    add(-1.5F, -0.5F, 1.0F);
+    for (int i = 0; i < 25; ++i) add(0.5F + 0.02F * static_cast<float>(i % 5), 0.02F * static_cast<float>(i / 5), 0.01F);
+    builder.object("sender", white, corners, faces);
+    builder.quad("plate", white, {{{-1.7F, 1.9F, 0.7F}, {-0.3F, 1.9F, 0.7F}, {-0.3F, 1.9F, -0.7F}, {-1.7F, 1.9F, -0.7F}}}, true);
+    world.emplace(builder.build("hidden sender"));
+  }
+  std::optional<World> world;
+};
+
+TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
+  const HiddenSender scene;
+  Task task;
+  const Settings rule = settings({{"elements", "20"}, {"closure_rays", "0"}});
+  const Discretisation parts(*scene.world, rule, task);
+  // One node over all of the sender, and one over the receiver.
+  const auto node_of = [&](std::uint32_t sheet) {
+    const auto nodes = parts.hierarchy.nodes();
+    for (std::uint32_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i].sheet == sheet) return i;
+    return no_element;
+  };
+  const std::uint32_t receiver = node_of(0), sender = node_of(2);
+  LinkTable links;
+  for (std::uint32_t i = 0; i <= parts.hierarchy.size(); ++i) links.row_begin.push_back(i <= receiver ? 0 : 1);
+  links.senders.push_back({sender});
+  links.factors.push_back(1.0F);
+  trace_links(*scene.world, parts.elements, parts.hierarchy, 4096, links, task);
+  // Free are 25 cm² of 10025.
+  ASSERT_EQ(links.size(), 1U);
+  EXPECT_NEAR(links.factors[0], 25.0F / 10025.0F, 4.0F * std::sqrt(25.0F / 10025.0F / 4096.0F));
+}
+
+/// Tiles on a floor and on a ceiling, of one object or each by itself.
+Scene tiles(int side, bool apart) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  std::vector<Vec3> corners;
+  std::vector<std::array<std::uint32_t, 4>> faces;
+  for (int i = 0; i < 2 * side * side; ++i) {
+    const int place = i / 2;
+    const float x = static_cast<float>(place % side), z = static_cast<float>(place / side), s = 0.9F;
+    const bool floor = i % 2 == 0;
+    const float y = floor ? 0.0F : 4.0F;
+    const Vec3 a(x, y, z), b(x, y, z + s), c(x + s, y, z + s), d(x + s, y, z);
+    const std::array<Vec3, 4> tile = floor ? std::array{a, b, c, d} : std::array{a, d, c, b};
+    if (apart) builder.quad("tile " + std::to_string(i), white, tile);
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    corners.insert(corners.end(), tile.begin(), tile.end());
+    faces.push_back({first, first + 1, first + 2, first + 3});
+  }
+  if (!apart) builder.object("tiles", white, corners, faces);
+  return builder.build("tiles");
+}
+
+TEST(Links, CostAsMuchAmongManyObjectsAsInOne) {
+  std::vector<double> pairs, blockers;
+  for (const bool apart : {false, true}) {
+    Task task;
+    const World world(tiles(20, apart));
+    const Settings rule = settings({{"elements", "100"}});
+    const Discretisation parts(world, rule, task);
+    EXPECT_LE(parts.hierarchy.roots().size(), 3U);
+    RefinementCounts counts;
+    make_links(parts.hierarchy, {Facing::both, 0.02F}, task, counts);
+    pairs.push_back(static_cast<double>(counts.pairs));
+    Accessibility accessibility(parts.elements, parts.hierarchy, 0.02F, 4);
+    accessibility.compute(2, task);
+    blockers.push_back(static_cast<double>(accessibility.evaluations()));
+  }
+  EXPECT_NEAR(pairs[1], pairs[0], 0.02 * pairs[0]);
+  EXPECT_NEAR(blockers[1], blockers[0], 0.02 * blockers[0]);
 }
 
 TEST(Accessibility, IsAHalfAtTheFootOfATallWall) {
@@ -133,8 +237,10 @@ TEST(Accessibility, HierarchyIsWithinTwoPerCentOfNaive) {
   Accessibility fast(parts.elements, parts.hierarchy, 0.02F), naive(parts.elements, parts.hierarchy, 0.0F);
   fast.compute(2, task);
   naive.compute(2, task);
-  for (std::size_t i = 0; i < parts.hierarchy.leaf_count(); ++i)
-    EXPECT_NEAR(fast.of_side(i, true), naive.of_side(i, true), 0.02F);
+  for (const std::uint32_t element : parts.hierarchy.order()) {
+    const Disc& disc = parts.elements.disc(element);
+    EXPECT_NEAR(fast.at(disc.centre, disc.normal, element), naive.at(disc.centre, disc.normal, element), 0.02F);
+  }
 }
 
 TEST(Accessibility, BlockersGrowAsNLogN) {
