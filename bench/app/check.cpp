@@ -13,6 +13,7 @@
 #include "bench/measure/run_method.h"
 #include "bench/record/check_record.h"
 #include "common/core/error.h"
+#include "common/core/printable_text.h"
 #include "common/effects/scene_effects.h"
 #include "common/geometry/geometry_report.h"
 #include "common/reference/scene_key.h"
@@ -57,7 +58,7 @@ void print_check(const CheckRecord& check) {
   fmt::print("  {:<20} {} twins, {} opposite twins, {} overlaps\n", "coincident triangles", twins, opposite_twins, overlaps);
   for (const MeasuredCamera& camera : check.cameras)
     fmt::print("  camera '{}' {} × {}\n", camera.name, camera.width, camera.height);
-  for (const std::string& warning : check.warnings) fmt::print("  warning: {}\n", warning);
+  for (const std::string& warning : check.warnings) fmt::print("  warning: {}\n", printable_text(warning));
   fmt::print("what it calls for\n");
   for (const EffectEvidence& effect : check.analysis.effects)
     fmt::print("  {:<20} {:<4} {}\n", to_string(effect.effect), effect.called_for ? "yes" : "no", effect.why);

@@ -18,15 +18,15 @@
 #include "common/core/did_you_mean.h"
 #include "common/core/error.h"
 #include "common/core/find_file.h"
+#include "common/core/printable_text.h"
 #include "methods/registry.h"
 
 namespace gibench {
 
 namespace {
 
-int failed(ExitStatus status, ErrorCode code, std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
+int failed(ExitStatus status, ErrorCode code, const std::string& message) {
+  const std::string text = printable_text(message);
   std::fprintf(stderr, "gibench: %s\n", text.c_str());
   tell_parent({code, text});
   return static_cast<int>(status);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bench/record/output_folder.h"
+#include "common/core/printable_text.h"
 #include "reports/collect/collect.h"
 #include "reports/writing/write_report.h"
 
@@ -15,7 +16,7 @@ std::filesystem::path run_report(const std::filesystem::path& study_folder, cons
   const std::filesystem::path target = out.empty() ? study_folder / "report" : out;
   OutputFolder output(target, report::report_marker, true);
   for (const std::string& warning : report::write_report(study, output.partial()))
-    fmt::print(stderr, "gibench: warning: {}\n", warning);
+    fmt::print(stderr, "gibench: warning: {}\n", printable_text(warning));
   output.commit();
   if (!quiet) fmt::print("report: {}\n", (target / "index.html").string());
   return target;

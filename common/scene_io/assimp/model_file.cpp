@@ -13,7 +13,8 @@
 #include "common/scene_io/assimp/model_materials.h"
 #include "common/scene_io/assimp/model_meshes.h"
 #include "common/scene_io/assimp/model_name.h"
-#include "common/scene_io/assimp/model_text.h"
+#include "common/scene_io/assimp/model_units.h"
+#include "common/scene_io/assimp/single_precision.h"
 
 namespace gibench {
 
@@ -64,10 +65,11 @@ void for_each_node(const aiNode& node, const Visit& visit) {
   for (unsigned i = 0; i < node.mNumChildren; ++i) for_each_node(*node.mChildren[i], visit);
 }
 
-void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, const Vec3d& shift, Model& model) {
+void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, const std::string& shown, Model& model) {
+  LostPrecision lost;
+  for (const ObjectGeometry& mesh : meshes) lost.add(mesh);
   for_each_node(*scene.mRootNode, [&](const aiNode& node) {
-    Transform transform = transform_of(node);
-    transform.translation += shift;
+    const Transform transform = transform_of(node);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
       ObjectGeometry geometry = meshes[node.mMeshes[i]];
@@ -77,50 +79,41 @@ void add_parts(const aiScene& scene, const std::vector<ObjectGeometry>& meshes, 
       model.parts.push_back({name.C_Str(), mesh.mMaterialIndex, std::move(geometry)});
     }
   });
+  lost.warn(shown, model.warnings);
 }
 
-/// Assimp keeps single precision: warns about a model so far from the origin that its shape suffers.
-void warn_of_lost_precision(const std::filesystem::path& file, Model& model) {
-  Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
-  for (const ModelPart& part : model.parts)
-    for (const Vec3d& v : part.geometry.vertices) low = glm::min(low, v), high = glm::max(high, v);
-  const Vec3d farthest = glm::max(glm::abs(low), glm::abs(high));
-  const double spacing = 0x1p-23 * std::max({farthest.x, farthest.y, farthest.z});  // of floats there
-  if (const double extent = glm::length(high - low); spacing > 1e-5 * extent)
-    model.warnings.push_back(file.filename().string() +
-                             ": positions are kept in single precision, which far from the origin is " + std::to_string(spacing) +
-                             " m here; move the model near its origin and use translate");
+bool has_vertex_colours(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                     [](const aiMesh* mesh) { return mesh->HasVertexColors(0); });
 }
 
 }  // namespace
 
-Model read_model(const std::filesystem::path& file, const std::string& place, bool with_materials) {
+Model read_with_assimp(const std::filesystem::path& file, const std::string& place, bool with_materials) {
   const std::string shown = in_quotes(file.string());
   if (!is_model_name(file))
     throw InputError(place, shown + " is not a model file that Assimp reads", "use OBJ, PLY, glTF, STL or another model format");
   const AssimpLog log;
   Assimp::Importer importer;
-  auto* const files = new ModelFiles(file, place);
-  importer.SetIOHandler(files);  // which owns it
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!log.line_with("out-of-range indices").empty())  // else Assimp leaves such faces out
     throw InputError(place, "the model file " + shown + " has a face with a vertex index out of range", "export it again");
   if (scene == nullptr)
     throw InputError(place, "the model file " + shown + " cannot be read: " + importer.GetErrorString(),
-                     "it may be cut short or damaged; copy or export it again");
+                     "export it again, or as OBJ, PLY or glTF");
 
   Model model;
   const std::vector<ObjectGeometry> meshes = read_meshes(*scene, place, model.warnings);
-  add_parts(*scene, meshes, files->shift(), model);
+  add_parts(*scene, meshes, file.filename().string(), model);
   if (model.parts.empty()) throw InputError(place, "the model file " + shown + " has no faces", "use a model with surfaces");
-  if (files->shift() == Vec3d(0.0)) warn_of_lost_precision(file, model);
   std::vector<bool> used(scene->mNumMaterials, false);
   for (const ModelPart& part : model.parts) used[part.material] = with_materials;
   read_model_materials(*scene, file, used, model);
   read_model_lights(*scene, is_gltf_name(file), model);
   read_model_cameras(*scene, is_gltf_name(file), model);
-  if (const std::string missing = log.line_with("Unable to locate material file"); with_materials && !missing.empty())
-    model.warnings.push_back(file.filename().string() + ": " + missing);
+  if (with_materials && has_vertex_colours(*scene))
+    model.warnings.push_back(file.filename().string() + ": the colours of its vertices are left out");
+  convert_units(*scene, file, model);
   return model;
 }
 

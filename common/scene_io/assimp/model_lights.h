@@ -3,7 +3,7 @@
 
 #include <assimp/scene.h>
 
-#include "common/scene_io/assimp/model.h"
+#include "common/scene_io/model.h"
 
 namespace gibench {
 

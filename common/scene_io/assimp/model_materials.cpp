@@ -2,31 +2,23 @@
 
 #include <assimp/material.h>
 
-#include <cmath>
-
-#include "common/core/error.h"
-#include "common/core/names.h"
+#include "common/scene_io/assimp/embedded_pictures.h"
 #include "common/scene_io/assimp/gltf_strength.h"
 #include "common/scene_io/assimp/model_name.h"
-#include "common/scene_io/assimp/picture_mean.h"
+#include "common/scene_io/model_parts/material_remarks.h"
 
 namespace gibench {
 
 namespace {
 
-// "illum" of an MTL file, which Assimp keeps under this name (a macro of its own that is in no header of 5.2).
-constexpr const char* obj_illumination_key = "$mat.illum";
-
-// A model without materials: a light grey.
-constexpr float default_albedo = 0.6F;
-// Reflectance at normal incidence of a glTF material that is not a metal (glTF 2.0, Appendix B.2).
-constexpr float dielectric_f0 = 0.04F;
+// Diffuse and highlight, as MTL numbers illumination models.
+constexpr int illumination_model = 2;
 
 /// Reads one material; what is not simulated or had to be changed is collected as remarks.
 class MaterialReader {
  public:
-  MaterialReader(const aiMaterial& source, PictureMeans& pictures, float emissive_strength)
-      : source_(source), pictures_(pictures), emissive_strength_(emissive_strength) {}
+  MaterialReader(const aiMaterial& source, const PictureUse& use, ModelPictures& pictures, float emissive_strength)
+      : source_(source), use_(use), pictures_(pictures), emissive_strength_(emissive_strength) {}
 
   Material read() {
     Material material;
@@ -39,7 +31,7 @@ class MaterialReader {
     return material;
   }
 
-  const std::vector<std::string>& remarks() const { return remarks_; }
+  const MaterialRemarks& remarks() const { return remarks_; }
 
  private:
   Rgb colour(const char* key, unsigned type, unsigned index) const {
@@ -54,104 +46,64 @@ class MaterialReader {
     return value;
   }
 
-  /// Of MTL files; 2 (diffuse and highlight) for other formats.
-  int illumination_model() const {
-    int model = 2;
-    source_.Get(obj_illumination_key, 0, 0, model);
-    return model;
-  }
-
   /// `factor` times the mean of the picture of this type, if there is one.
   Rgb times_picture(Rgb factor, aiTextureType type) {
     aiString name;
-    if (source_.GetTexture(type, 0, &name) != AI_SUCCESS) return factor;
-    try {
-      const Rgb mean = pictures_.mean(name.C_Str());
-      remarks_.push_back("the picture " + in_quotes(name.C_Str()) + " is replaced by its mean");
-      return factor * mean;
-    } catch (const InputError& error) {
-      remarks_.push_back("a picture is not used (" + std::string(error.what()) + ")");
-      return factor;
-    }
+    aiTextureMapMode modes[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+    if (source_.GetTexture(type, 0, &name, nullptr, nullptr, nullptr, nullptr, modes) != AI_SUCCESS) return factor;
+    aiUVTransform transform;
+    if (source_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == AI_SUCCESS && !is_identity(transform))
+      remarks_.add("the transform of its texture points is left out");
+    const auto mean = pictures_.mean(name.C_Str(), use_, {wrap_of(modes[0]), wrap_of(modes[1])}, remarks_);
+    return mean ? factor * *mean : factor;
   }
 
-  /// Into [0, largest allowed], NaN to 0.
-  float clamped(float value, float limit, const char* what) {
-    if (value >= 0.0F && value <= limit) return value;
-    remarks_.push_back(std::string(what) + " is clamped to its range");
-    return value > limit ? limit : 0.0F;
-  }
-  Rgb clamped(const Rgb& value, float limit, const char* what) {
-    if (smallest(value) >= 0.0F && largest(value) <= limit) return value;
-    remarks_.push_back(std::string(what) + " is clamped to its range");
-    const auto clamp = [&](float x) { return x > limit ? limit : x > 0.0F ? x : 0.0F; };
-    return {clamp(value.r), clamp(value.g), clamp(value.b)};
+  static bool is_identity(const aiUVTransform& transform) {
+    return transform.mTranslation == aiVector2D(0.0F, 0.0F) && transform.mScaling == aiVector2D(1.0F, 1.0F) &&
+           transform.mRotation == 0.0F;
   }
 
-  /// OBJ and most older formats: diffuse colour, Phong highlight, mirror by the illumination model of MTL.
+  static Wrap wrap_of(aiTextureMapMode mode) {
+    return mode == aiTextureMapMode_Clamp ? Wrap::clamp : mode == aiTextureMapMode_Mirror ? Wrap::mirror : Wrap::repeat;
+  }
+
+  /// Most older formats: diffuse colour and Phong highlight.
   void read_phong(Material& material) {
-    const int illumination = illumination_model();
-    material.diffuse = clamped(times_picture(colour(AI_MATKEY_COLOR_DIFFUSE), aiTextureType_DIFFUSE), 1.0F, "the diffuse colour");
-    Rgb specular = clamped(colour(AI_MATKEY_COLOR_SPECULAR), 1.0F, "the specular colour");
+    const Rgb diffuse = times_picture(colour(AI_MATKEY_COLOR_DIFFUSE), aiTextureType_DIFFUSE);
+    material.diffuse = remarks_.clamped(diffuse, 1.0F, "the diffuse colour");
+    Rgb specular = colour(AI_MATKEY_COLOR_SPECULAR);
     if (const float strength = number(AI_MATKEY_SHININESS_STRENGTH, 1.0F); strength > 0.0F && strength < 1.0F)
       specular *= strength;
-    if (is_black(specular)) return;
-    if (illumination < 2) {
-      remarks_.push_back("illum " + std::to_string(illumination) + " leaves out the specular colour");
-      return;
-    }
-    if (illumination == 3 || illumination == 5) return make_mirror(material, specular);
-    material.bsdf = Bsdf::phong;
-    material.specular = specular;
-    material.exponent = clamped(number(AI_MATKEY_SHININESS, 0.0F), 1e6F, "the exponent");
-    keep_energy(material);
-  }
-
-  void make_mirror(Material& material, const Rgb& reflectance) {
-    if (!is_black(material.diffuse)) remarks_.push_back("the diffuse colour of a mirror is left out");
-    material.bsdf = Bsdf::mirror;
-    material.diffuse = Rgb();
-    material.reflectance = reflectance;
-  }
-
-  void keep_energy(Material& material) {
-    const float sum = largest(material.diffuse + material.specular);
-    if (sum <= 1.0F) return;
-    material.diffuse /= sum;
-    material.specular /= sum;
-    remarks_.push_back("diffuse + specular was above 1 and is scaled down to 1");
+    remarks_.add_highlight(material, specular, number(AI_MATKEY_SHININESS, 0.0F), illumination_model);
   }
 
   /// glTF: a dielectric under a diffuse base, blended into a metal (glTF 2.0, Appendix B).
   void read_metallic_roughness(Material& material, float metallic) {
     aiTextureType picture = aiTextureType_BASE_COLOR;
     if (source_.GetTextureCount(picture) == 0) picture = aiTextureType_DIFFUSE;
-    const Rgb base = clamped(times_picture(colour(AI_MATKEY_BASE_COLOR), picture), 1.0F, "the base colour");
-    const float metal = clamped(metallic, 1.0F, "the metallic factor");
-    material.bsdf = Bsdf::ggx;
-    material.roughness = clamped(number(AI_MATKEY_ROUGHNESS_FACTOR, 1.0F), 1.0F, "the roughness factor");
-    material.f0 = Rgb(dielectric_f0 * (1.0F - metal)) + metal * base;
-    material.diffuse = (1.0F - dielectric_f0) * (1.0F - metal) * base;
+    const Rgb base = remarks_.clamped(times_picture(colour(AI_MATKEY_BASE_COLOR), picture), 1.0F, "the base colour");
+    const float metal = remarks_.clamped(metallic, 1.0F, "the metallic factor");
+    blend_metal(base, metal, material);
+    material.roughness = remarks_.clamped(number(AI_MATKEY_ROUGHNESS_FACTOR, 1.0F), 1.0F, "the roughness factor");
     if (source_.GetTextureCount(aiTextureType_METALNESS) + source_.GetTextureCount(aiTextureType_DIFFUSE_ROUGHNESS) > 0)
-      remarks_.emplace_back("the metallic-roughness picture is not used");
+      remarks_.add("the metallic-roughness picture is not used");
   }
 
   void read_emission(Material& material) {
     const Rgb emission = emissive_strength_ * times_picture(colour(AI_MATKEY_COLOR_EMISSIVE), aiTextureType_EMISSIVE);
-    material.emission = clamped(emission, 1e30F, "the emission");
+    material.emission = remarks_.clamped(emission, 1e30F, "the emission");
   }
 
   void note_what_is_left_out() {
-    const int illumination = illumination_model();
-    const bool refracts = illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
-    if (refracts || number(AI_MATKEY_OPACITY, 1.0F) < 1.0F || number(AI_MATKEY_TRANSMISSION_FACTOR, 0.0F) > 0.0F)
-      remarks_.emplace_back("transparency is not simulated, the surface is opaque");
+    remarks_.note_transparency(illumination_model,
+                               number(AI_MATKEY_OPACITY, 1.0F) < 1.0F || number(AI_MATKEY_TRANSMISSION_FACTOR, 0.0F) > 0.0F);
   }
 
   const aiMaterial& source_;
-  PictureMeans& pictures_;
+  const PictureUse& use_;
+  ModelPictures& pictures_;
   float emissive_strength_;
-  std::vector<std::string> remarks_;
+  MaterialRemarks remarks_;
 };
 
 /// Assimp makes up a material where a file has none; its colours differ between formats and mean nothing.
@@ -160,23 +112,19 @@ bool is_made_up(const aiMaterial& material, bool is_gltf) {
   return name == AI_DEFAULT_MATERIAL_NAME || (name.empty() && !is_gltf);
 }
 
-ModelMaterial default_material() {
-  ModelMaterial made;
-  made.material.name = "default";
-  made.material.diffuse = Rgb(default_albedo);
-  return made;
-}
-
-std::string joined(const std::vector<std::string>& remarks) {
-  std::string text;
-  for (const std::string& remark : remarks) text += (text.empty() ? "" : "; ") + remark;
-  return text;
+/// What its pictures are taken over; nothing where it has none.
+PictureUse use_of(const aiScene& scene, unsigned material) {
+  unsigned pictures = 0;
+  for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR, aiTextureType_EMISSIVE})
+    pictures += scene.mMaterials[material]->GetTextureCount(type);
+  return pictures > 0 ? picture_use(scene, material) : PictureUse();
 }
 
 }  // namespace
 
 void read_model_materials(const aiScene& scene, const std::filesystem::path& file, const std::vector<bool>& used, Model& model) {
-  PictureMeans pictures(scene, file.parent_path());
+  ModelPictures pictures = pictures_of(scene, file.parent_path());
+  const std::string shown = file.filename().string();
   const bool is_gltf = is_gltf_name(file);
   const std::vector<float> strengths = is_gltf ? gltf_emissive_strengths(file) : std::vector<float>();
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
@@ -184,17 +132,16 @@ void read_model_materials(const aiScene& scene, const std::filesystem::path& fil
     model.materials.push_back(default_material());
     if (!used[i]) continue;
     if (is_made_up(source, is_gltf)) {
-      model.warnings.push_back(file.filename().string() + ": no material; diffuse with albedo 0.6 is used");
+      model.warnings.push_back(shown + ": no material; diffuse with albedo 0.6 is used");
       continue;
     }
-    MaterialReader reader(source, pictures, i < strengths.size() ? strengths[i] : 1.0F);
+    const PictureUse use = use_of(scene, i);
+    MaterialReader reader(source, use, pictures, i < strengths.size() ? strengths[i] : 1.0F);
     ModelMaterial& made = model.materials.back();
     made.material = reader.read();
     if (made.material.name.empty()) made.material.name = "material-" + std::to_string(i);
     source.Get(AI_MATKEY_TWOSIDED, made.two_sided);
-    if (!reader.remarks().empty())
-      model.warnings.push_back(file.filename().string() + ": material " + in_quotes(made.material.name) + ": " +
-                               joined(reader.remarks()));
+    reader.remarks().warn(shown, made.material.name, model.warnings);
   }
 }
 

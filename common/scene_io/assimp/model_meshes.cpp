@@ -1,6 +1,5 @@
 #include "common/scene_io/assimp/model_meshes.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <unordered_map>
@@ -8,7 +7,7 @@
 #include "common/core/error.h"
 #include "common/core/hash.h"
 #include "common/core/names.h"
-#include "common/scene/polygon.h"
+#include "common/scene/object_faces.h"
 #include "common/scene_io/assimp/assimp_nodes.h"
 
 namespace gibench {
@@ -29,8 +28,8 @@ std::size_t corner_count(const aiMesh& mesh) {
   return corners;
 }
 
-/// The mesh's vertices, and for each of Assimp's the index of the one it became: OBJ and STL come with one vertex a
-/// corner and are joined by equal positions.
+/// The mesh's vertices, and for each of Assimp's the index of the one it became: some
+/// formats come with one vertex a corner and are joined by equal positions.
 std::vector<std::uint32_t> read_vertices(const aiMesh& mesh, std::vector<Vec3d>& vertices) {
   std::vector<std::uint32_t> index_of(mesh.mNumVertices);
   const bool is_indexed = mesh.mNumVertices != corner_count(mesh);
@@ -54,6 +53,8 @@ void check_face(const aiMesh& mesh, unsigned f, const std::string& place) {
   const auto name = [&] { return "face " + std::to_string(f) + " of mesh " + in_quotes(mesh.mName.C_Str()); };
   if (face.mNumIndices == 0)
     throw InputError(place, name() + " has no corners", "the file is damaged or cut short; export it again");
+  if (face.mNumIndices > most_corners)
+    throw InputError(place, name() + " has more than 10 000 corners", "divide it into smaller faces");
   for (unsigned i = 0; i < face.mNumIndices; ++i)
     if (face.mIndices[i] >= mesh.mNumVertices)
       throw InputError(place,
@@ -62,32 +63,22 @@ void check_face(const aiMesh& mesh, unsigned f, const std::string& place) {
                        "correct the index or export the file again");
 }
 
-void add_polygon(const aiMesh& mesh, const aiFace& face, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry) {
-  std::vector<Vec3d> corners;
-  for (unsigned i = 0; i < face.mNumIndices; ++i) corners.push_back(to_vec(mesh.mVertices[face.mIndices[i]]));
-  for (const auto& [a, b, c] : triangulate_polygon(corners)) {
-    const std::uint32_t last = index_of[face.mIndices[c]];
-    geometry.faces.push_back({{index_of[face.mIndices[a]], index_of[face.mIndices[b]], last, last}});
-  }
-}
-
 /// Adds the mesh's faces; returns the number of points and lines, which are left out.
 std::size_t add_faces(const aiMesh& mesh, const std::vector<std::uint32_t>& index_of, ObjectGeometry& geometry,
                       const std::string& place) {
   std::size_t left_out = 0;
+  std::vector<std::uint32_t> corners;
   geometry.faces.reserve(mesh.mNumFaces);
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
     check_face(mesh, f, place);
     if (face.mNumIndices < 3) {
       ++left_out;
-    } else if (face.mNumIndices > 4) {
-      add_polygon(mesh, face, index_of, geometry);
-    } else {
-      Face added;
-      for (unsigned i = 0; i < 4; ++i) added.corners[i] = index_of[face.mIndices[std::min(i, face.mNumIndices - 1)]];
-      geometry.faces.push_back(added);
+      continue;
     }
+    corners.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i) corners.push_back(index_of[face.mIndices[i]]);
+    add_face(corners, geometry);
   }
   return left_out;
 }

@@ -1,13 +1,13 @@
 #include "common/scene_io/native/read_object.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "common/core/error.h"
 #include "common/core/find_file.h"
 #include "common/core/names.h"
+#include "common/scene/object_faces.h"
 #include "common/scene/transform.h"
-#include "common/scene_io/assimp/model_file.h"
+#include "common/scene_io/models/read_model.h"
 #include "common/scene_io/native/read_values.h"
 
 namespace gibench {
@@ -30,19 +30,19 @@ ObjectGeometry read_inline_geometry(const json& object, const JsonPlace& place) 
   for (const json& vertex : vertices) geometry.vertices.push_back(read_vector(vertex));
   const json& faces = object["faces"];
   geometry.faces.reserve(faces.size());
+  std::vector<std::uint32_t> face;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    Face face;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t corner = std::min(i, faces[f].size() - 1);
+    face.clear();
+    for (std::size_t corner = 0; corner < faces[f].size(); ++corner) {
       const auto index = faces[f][corner].get<std::uint64_t>();
       if (index >= vertices.size())
         throw InputError(
             place["faces"][f][corner].text(),
             "index " + std::to_string(index) + " is past the end of " + std::to_string(vertices.size()) + " vertices",
             "write an index from 0 to " + std::to_string(vertices.size() - 1));
-      face.corners[i] = static_cast<std::uint32_t>(index);
+      face.push_back(static_cast<std::uint32_t>(index));
     }
-    geometry.faces.push_back(face);
+    add_face(face, geometry);
   }
   return geometry;
 }

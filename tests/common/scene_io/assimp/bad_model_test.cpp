@@ -35,7 +35,7 @@ struct BadModel {
 
 const std::vector<BadModel>& bad_models() {
   static const std::vector<BadModel> cases{
-      {"Empty", "m.obj", "", "too small"},
+      {"Empty", "m.obj", "", "has no faces"},
       {"NoFaces", "m.obj", square + square, "has no faces"},
       {"OnlyLines", "m.obj", square + "l 1 2\nl 2 3\n", "has no faces"},
       {"IndexPastEnd", "m.obj", square + "f 1 2 9\n", "out of range"},
@@ -43,19 +43,22 @@ const std::vector<BadModel>& bad_models() {
       {"InfiniteVertex", "m.obj", "v 0 0 0\nv 1 0 0\nv inf 1 0\nf 1 2 3\n", "is not finite"},
       {"ObjCutInFace", "m.obj", square + "f 1 2 3\nf 1 2", "cut short: its last line is \"f 1 2\""},
       {"ObjCutInVertex", "m.obj", square + "f 1 2 3\nv 1 0.", "cut short: its last line is \"v 1 0.\""},
-      {"PlyCutInVertices", "m.ply", ply_header + "0 0 0\n1 0 0\n", "cut short: its header announces 4 lines and 2 follow"},
+      {"PlyCutInVertices", "m.ply", ply_header + "0 0 0\n1 0 0\n",
+       "cut short: its header announces 3 records of \"vertex\", and 12 bytes follow"},
       {"PlyCutInFaces", "m.ply", ply_header + "0 0 0\n1 0 0\n1 1 0\n", "cut short"},
       {"PlyCutInHeader", "m.ply", ply_header.substr(0, 60), "has no end_header"},
       {"PlyIndexPastEnd", "m.ply", ply_header + "0 0 0\n1 0 0\n1 1 0\n3 0 1 7\n", "has vertex index 7, and there are 3 vertices"},
       {"PlyNan", "m.ply", ply_header + "0 0 0\n1 0 0\n1 nan 0\n3 0 1 2\n", "is not finite"},
-      {"StlCut", "m.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(70, '\0'), "cannot be read"},
-      {"StlAsciiCut", "m.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0", "cannot be read"},
+      {"StlCut", "m.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(70, '\0'),
+       "cut short: it announces 2 facets, and 1 follow"},
+      {"StlAsciiCut", "m.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0",
+       "cut short: its last line is \"vertex 1 0\""},
       {"GltfWithoutBuffer", "m.gltf", gltf, "data.bin"},
       {"GltfIndexPastEnd", "indices.gltf", gltf, "index out of range"},
       {"GltfBufferCut", "cut.gltf", gltf, "cannot be read"},
       {"GltfNoJson", "m.gltf", gltf.substr(0, 200), "cannot be read"},
       {"GlbCut", "m.glb", std::string("glTF\2\0\0\0\0\1\0\0", 12), "cannot be read"},
-      {"NoModel", "m.txt", "hello", "reads"},
+      {"NoModel", "m.txt", "hello", "read"},
   };
   return cases;
 }

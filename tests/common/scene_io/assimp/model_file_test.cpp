@@ -101,8 +101,9 @@ TEST_F(ModelFileTest, FarTextModelsKeepDoublePrecision) {
   const Scene ply = load_text("far.ply",
                               "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
                               "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                              "100000.125 0 0\n100001 0 0\n100001 1 0\n3 0 1 2\n");
-  EXPECT_THAT(ply.warnings, testing::Contains(HasSubstr("single precision")));
+                              "100000.125 0.25 0.5\n100000.625 0.25 0.5\n100000.625 0.765625 0.5\n3 0 1 2\n");
+  EXPECT_EQ(ply.vertices, near.vertices);
+  EXPECT_THAT(ply.warnings, ElementsAre(HasSubstr("no material")));
 }
 
 TEST_F(ModelFileTest, MtlMaterials) {

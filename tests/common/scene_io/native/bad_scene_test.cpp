@@ -91,7 +91,7 @@ const std::vector<BadScene>& wrong_forms() {
       {"NegativeIndex", "/objects/0/faces/0/1", -1, "$.objects[0].faces[0][1]", "-1 is below 0", "a whole number from 0"},
       {"FractionalIndex", "/objects/0/faces/0/1", 1.5, "$.objects[0].faces[0][1]", "1.5 is of the wrong type",
        "a whole number from 0"},
-      {"Pentagon", "/objects/0/faces/0", {0, 1, 2, 3, 0}, "$.objects[0].faces[0]", "a list of 5 values", "split larger polygons"},
+      {"FaceOfTwo", "/objects/0/faces/0", {0, 1}, "$.objects[0].faces[0]", "a list of 2 values", "3 to 10000 vertex indices"},
       {"NegativeIntensity", "/lights/0/intensity", -1, "$.lights[0].intensity", "-1 is below 0", "W/sr"},
       {"FovTooWide", "/cameras/0/vertical_fov_degrees", 180, "$.cameras[0].vertical_fov_degrees", "180 is not below 180",
        "below 180"},

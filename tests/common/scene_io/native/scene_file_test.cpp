@@ -47,6 +47,24 @@ TEST(SceneFile, QuadsAndTrianglesAreKept) {
   EXPECT_EQ(scene.name, "quad");
 }
 
+TEST(SceneFile, LargePolygonsBecomeTriangles) {
+  json text = quad_scene();
+  // An L of six corners, area 3, and the quad of its lower arm.
+  text["objects"][0]["vertices"] = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+  text["objects"][0]["faces"] = {{0, 1, 2, 3, 4, 5}, {0, 1, 2, 3}};
+  const Scene scene = load(text);
+  ASSERT_EQ(scene.faces.size(), 5U);
+  EXPECT_TRUE(scene.faces[4].is_quad());
+  float area = 0.0F;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto& c = scene.faces[f].corners;
+    const Vec3 cross = glm::cross(scene.vertices[c[1]] - scene.vertices[c[0]], scene.vertices[c[2]] - scene.vertices[c[0]]);
+    EXPECT_GT(cross.z, 0.0F);
+    area += 0.5F * cross.z;
+  }
+  EXPECT_NEAR(area, 3.0F, 1e-6F);
+}
+
 TEST(SceneFile, ScaleRotateTranslateInThatOrder) {
   expect_near(vertex(load_transformed({{"scale", 2}}), 1), {0, 2, 0});
   expect_near(vertex(load_transformed({{"scale", {2, 3, 4}}}), 2), {0, 0, 4});
