@@ -29,7 +29,7 @@ Rgb most_reflected(const Material& material) {
   switch (material.bsdf) {
     case Bsdf::diffuse: return {};
     case Bsdf::phong: return material.specular;
-    case Bsdf::ggx: return Rgb(1.0F);
+    case Bsdf::ggx: return grazing_reflectance(material);
     case Bsdf::mirror: return material.reflectance;
   }
   return Rgb(1.0F);
@@ -52,11 +52,9 @@ GlossyReflection::GlossyReflection(const Scene& scene, std::span<const std::uint
     : bins_(bins), bsdf_of_material_(scene.materials.size(), -1) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     if (gloss_of(scene.materials[i]) != Gloss::lobe) continue;
-    Material lobe = scene.materials[i];
-    lobe.diffuse = Rgb();
     bsdf_of_material_[i] = static_cast<int>(bsdfs_.size());
-    bsdfs_.emplace_back(lobe);
-    most_reflected_.push_back(most_reflected(lobe));
+    bsdfs_.push_back(SurfaceBsdf::specular_part(scene.materials[i]));
+    most_reflected_.push_back(most_reflected(scene.materials[i]));
   }
   for (const std::uint32_t material : leaf_materials) bsdf_of_leaf_.push_back(bsdf_of_material_[material]);
 }
