@@ -10,7 +10,7 @@ namespace gibench {
 
 /// What surfaces reflect at most, over channels, directions and lobes together, in [0, 1] for physical materials.
 struct Reflectances {
-  double largest = 0.0;           ///< of any material in use; a ggx surface reflects everything at grazing angles
+  double largest = 0.0;           ///< of any material in use; a ggx surface reflects up to everything at grazing angles
   double area_weighted = 0.0;     ///< over the lit sides, at normal incidence: what a bounce keeps on average
   std::string brightest;          ///< name of the material of the largest
   bool brightest_grazes = false;  ///< it is the largest at grazing angles only

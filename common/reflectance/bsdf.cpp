@@ -1,13 +1,21 @@
 #include "common/reflectance/bsdf.h"
 
+#include "common/scene/material_kinds.h"
+
 namespace gibench {
 
 SurfaceBsdf::SurfaceBsdf(const Material& material)
     : kind_(material.bsdf),
       diffuse_{material.diffuse},
       phong_{material.specular, material.exponent},
-      ggx_(material.f0, material.roughness),
+      ggx_(material.f0, grazing_reflectance(material), material.roughness),
       mirror_(material.reflectance) {}
+
+SurfaceBsdf SurfaceBsdf::specular_part(const Material& material) {
+  SurfaceBsdf bsdf(material);
+  bsdf.diffuse_.albedo = Rgb();
+  return bsdf;
+}
 
 SurfaceBsdf SurfaceBsdf::diffuse(const Rgb& albedo) {
   SurfaceBsdf bsdf;
@@ -19,7 +27,7 @@ bool SurfaceBsdf::is_black() const {
   switch (kind_) {
     case Bsdf::diffuse: return gibench::is_black(diffuse_.albedo);
     case Bsdf::phong: return gibench::is_black(diffuse_.albedo) && gibench::is_black(phong_.specular);
-    case Bsdf::ggx: return false;  // Schlick's term reflects at grazing even where f0 is zero
+    case Bsdf::ggx: return gibench::is_black(diffuse_.albedo) && gibench::is_black(ggx_.f0) && gibench::is_black(ggx_.f90);
     case Bsdf::mirror: return gibench::is_black(mirror_);
   }
   return true;

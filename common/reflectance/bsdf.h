@@ -36,11 +36,15 @@ struct BsdfSample {
   bool delta = false;  ///< a mirror: no other direction contributes, and no light sample can hit this one
 };
 
-/// Flat, copied by value: one for each material.
+/// Flat, copied by value: one for each material. No surface reflects more than it gets, from any direction and at any
+/// roughness: where a ggx lobe lies over a diffuse part, see grazing_reflectance() (common/scene/material_kinds.h).
 class SurfaceBsdf {
  public:
   SurfaceBsdf() = default;
   explicit SurfaceBsdf(const Material& material);
+  /// What the material reflects beside its diffuse part. A material whose diffuse part is set to black is another: its lobe
+  /// has room to reflect more.
+  static SurfaceBsdf specular_part(const Material& material);
   /// A Lambertian surface; an albedo of π makes a sensor of irradiance, whose f is 1.
   static SurfaceBsdf diffuse(const Rgb& albedo);
 

@@ -16,17 +16,18 @@ struct GgxLobe {
   static constexpr float smallest_alpha = 1e-4F;
 
   Rgb f0;              ///< Schlick reflectance at normal incidence, [0, 1]
+  Rgb f90{1.0F};       ///< the same at grazing incidence, [0, 1]
   float alpha = 1.0F;  ///< roughness², [smallest_alpha, 1]
 
   GgxLobe() = default;
-  GgxLobe(const Rgb& normal_reflectance, float roughness)
-      : f0(normal_reflectance), alpha(std::max(smallest_alpha, roughness * roughness)) {}
+  GgxLobe(const Rgb& normal_reflectance, const Rgb& grazing_reflectance, float roughness)
+      : f0(normal_reflectance), f90(grazing_reflectance), alpha(std::max(smallest_alpha, roughness * roughness)) {}
 
-  /// F = f0 + (1 − f0)(1 − cos)^5.
+  /// F = f0 + (f90 − f0)(1 − cos)^5.
   Rgb fresnel(float cosine) const {
     const float complement = std::clamp(1.0F - cosine, 0.0F, 1.0F);
     const float squared = complement * complement;
-    return f0 + (Rgb(1.0F) - f0) * (squared * squared * complement);
+    return f0 + (f90 - f0) * (squared * squared * complement);
   }
 
   /// f, 1/sr, without the cosine. Both directions leave the surface, z > 0.

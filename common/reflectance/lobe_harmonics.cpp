@@ -53,9 +53,7 @@ Sums cosine_moments(const SurfaceBsdf& lobe, const Vec3& out) {
 }  // namespace
 
 LobeHarmonics::LobeHarmonics(const Material& material) {
-  Material glossy = material;
-  glossy.diffuse = Rgb();
-  const SurfaceBsdf lobe(glossy);
+  const SurfaceBsdf lobe = SurfaceBsdf::specular_part(material);
   Gram gram = cosine_gram();
   const double added = pull * gram.trace() / harmonic_count;
   for (Eigen::Index k = 1; k < gram.rows(); ++k) gram(k, k) += added;

@@ -1,5 +1,7 @@
 #include "common/scene/material_kinds.h"
 
+#include <algorithm>
+
 #include "common/core/error.h"
 
 namespace gibench {
@@ -24,7 +26,7 @@ Gloss gloss_of(const Material& material) {
   switch (material.bsdf) {
     case Bsdf::diffuse: return Gloss::none;
     case Bsdf::phong: return gloss_unless_black(material.specular, Gloss::lobe);
-    case Bsdf::ggx: return Gloss::lobe;  // Schlick's term reflects at grazing angles whatever f0 is
+    case Bsdf::ggx: return gloss_unless_black(material.f0 + grazing_reflectance(material), Gloss::lobe);
     case Bsdf::mirror: return gloss_unless_black(material.reflectance, Gloss::mirror);
   }
   GIBENCH_CHECK(false, "a Bsdf is one of all_bsdfs");
@@ -40,9 +42,16 @@ Rgb straight_reflectance(const Material& material) {
   GIBENCH_CHECK(false, "a Bsdf is one of all_bsdfs");
 }
 
+Rgb grazing_reflectance(const Material& material) {
+  const auto left = [](float diffuse) { return std::clamp(1.0F - diffuse, 0.0F, 1.0F); };
+  return {left(material.diffuse.r), left(material.diffuse.g), left(material.diffuse.b)};
+}
+
 float largest_reflectance(const Material& material) {
-  // The normalised Phong lobe reflects ks straight on and less aslant; Schlick's term grows to 1.
-  return reflects_most_at_grazing(material.bsdf) ? largest(material.diffuse) + 1.0F : largest(straight_reflectance(material));
+  // The normalised Phong lobe reflects ks straight on and less aslant; Schlick's term grows to what the diffuse part leaves.
+  const float straight = largest(straight_reflectance(material));
+  return reflects_most_at_grazing(material.bsdf) ? std::max(straight, largest(material.diffuse + grazing_reflectance(material)))
+                                                 : straight;
 }
 
 bool reflects_most_at_grazing(Bsdf bsdf) {

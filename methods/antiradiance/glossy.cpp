@@ -46,10 +46,8 @@ GlossyReflection::GlossyReflection(const Scene& scene, std::span<const std::uint
     : bins_(bins), bsdf_of_material_(scene.materials.size(), -1) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     if (gloss_of(scene.materials[i]) != Gloss::lobe) continue;
-    Material lobe = scene.materials[i];
-    lobe.diffuse = Rgb();
     bsdf_of_material_[i] = static_cast<int>(lobes_.size());
-    const SurfaceBsdf bsdf(lobe);
+    const SurfaceBsdf bsdf = SurfaceBsdf::specular_part(scene.materials[i]);
     lobes_.push_back({bsdf, LobeAlbedo(bsdf)});
   }
   for (const std::uint32_t material : leaf_materials) bsdf_of_leaf_.push_back(bsdf_of_material_[material]);

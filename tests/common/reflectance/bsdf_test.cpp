@@ -47,7 +47,9 @@ std::vector<Surface> surfaces() {
           {"ggx_rough", ggx(0.0F, 1.0F, 1.0F)},
           {"ggx_half", ggx(0.3F, 0.5F, 0.7F)},
           {"ggx_smooth", ggx(0.0F, 0.9F, 0.3F)},
-          {"ggx_dielectric", ggx(0.5F, 0.04F, 0.5F)}};
+          {"ggx_dielectric", ggx(0.5F, 0.04F, 0.5F)},
+          {"ggx_white", ggx(0.96F, 0.04F, 0.5F)},
+          {"ggx_shiny_white", ggx(0.96F, 0.04F, 0.2F)}};
 }
 
 const std::vector<double> cosines{1.0, 0.8, 0.3, 0.05};
@@ -175,6 +177,43 @@ TEST(DirectionalAlbedo, OfGgxWithoutFresnel) {
 TEST(DirectionalAlbedo, OfTheRoughestGgxAtNormalIncidence) {
   const SurfaceBsdf bsdf(ggx(0.0F, 1.0F, 1.0F));
   EXPECT_NEAR(albedo_by_quadrature(bsdf, {0.0F, 0.0F, 1.0F}), 1.0 - std::log(2.0), 1e-5);
+}
+
+TEST(CoupledLobes, GgxOverDiffuseReflectsAtMostAllAtEveryAngleAndRoughness) {
+  for (const auto& [albedo, f0] : {std::pair{0.96F, 0.04F}, {0.5F, 0.5F}, {0.5F, 0.04F}, {1.0F, 0.0F}})
+    for (const float roughness : {0.0F, 0.1F, 0.2F, 0.35F, 0.5F, 0.7F, 0.85F, 1.0F}) {
+      const SurfaceBsdf bsdf(ggx(albedo, f0, roughness));
+      for (const double degrees : {0.0, 30.0, 60.0, 75.0, 85.0, 89.0, 89.9}) {
+        const Vec3 out = direction_of(std::cos(degrees * pi_double / 180.0), 0.4);
+        EXPECT_LE(albedo_by_sampling(bsdf, out, 1 << 14), 1.0 + 2e-3) << albedo << " " << roughness << " " << degrees;
+      }
+    }
+}
+
+// Pair by pair, which with the albedo of at most one where F is one (above) bounds both lobes together.
+TEST(CoupledLobes, TheSpecularPartTakesWhatTheDiffusePartLeaves) {
+  const SobolSequence sequence(12);
+  for (const float albedo : {0.0F, 0.3F, 0.96F})
+    for (const float roughness : {0.2F, 0.6F, 1.0F}) {
+      const SurfaceBsdf bsdf(ggx(albedo, 0.04F, roughness)), all(ggx(0.0F, 1.0F, roughness));
+      for (std::uint32_t i = 0; i < 500; ++i) {
+        const Vec3 a = cosine_hemisphere(sequence.pair(i, 0).unit()), b = cosine_hemisphere(sequence.pair(i, 1).unit());
+        if (a.z < 1e-3F || b.z < 1e-3F) continue;
+        const LobeValues lobes = bsdf.evaluate_lobes(a, b, gibench::Lobes::both);
+        EXPECT_LE(lobes.specular.g, (1.0F - albedo) * all.evaluate(a, b).value.g * (1.0F + 1e-6F));
+        EXPECT_EQ(lobes.diffuse.g, albedo * (1.0F / pi)) << "the diffuse part is Lambertian with its albedo";
+      }
+    }
+}
+
+TEST(CoupledLobes, TheSpecularPartAloneIsThatOfTheWholeMaterial) {
+  const Material material = ggx(0.7F, 0.1F, 0.5F);
+  const SurfaceBsdf whole(material), part = SurfaceBsdf::specular_part(material);
+  for (const double cosine : cosines) {
+    const Vec3 out = direction_of(cosine, 0.4), in = direction_of(0.2, 3.0);
+    EXPECT_EQ(part.evaluate(out, in).value, whole.evaluate_lobes(out, in, gibench::Lobes::both).specular);
+  }
+  EXPECT_TRUE(SurfaceBsdf::specular_part(diffuse(0.5F)).is_black());
 }
 
 TEST(NarrowLobes, BecomeMirrors) {

@@ -28,6 +28,12 @@ Material ggx(float roughness) {
   material.f0 = {0.9F, 0.6F, 0.3F};
   return material;
 }
+Material plastic() {
+  Material material = ggx(0.5F);
+  material.f0 = Rgb(0.04F);
+  material.diffuse = {0.9F, 0.5F, 0.1F};
+  return material;
+}
 Material mirror() {
   Material material;
   material.bsdf = Bsdf::mirror;
@@ -87,10 +93,8 @@ TEST(SphericalHarmonics, TurnWithTheirFrame) {
 
 TEST(LobeHarmonics, LightOfOneRadianceIsReflectedAsByTheLobe) {
   const Frame frame(glm::normalize(Vec3(0.2F, 0.9F, -0.4F)));
-  for (const Material& material : {phong(2.0F), phong(50.0F), ggx(0.8F), ggx(0.3F), mirror()}) {
-    Material glossy = material;
-    glossy.diffuse = Rgb();
-    const SurfaceBsdf bsdf(glossy);
+  for (const Material& material : {phong(2.0F), phong(50.0F), ggx(0.8F), ggx(0.3F), plastic(), mirror()}) {
+    const SurfaceBsdf bsdf = SurfaceBsdf::specular_part(material);
     const LobeHarmonics lobe(material);
     for (const float angle : {0.0F, 0.5F, 1.2F}) {
       Rgb albedo;
@@ -110,9 +114,7 @@ TEST(LobeHarmonics, BroadLobesAreMatchedByDirection) {
   const Frame frame(glm::normalize(Vec3(0.2F, 0.9F, -0.4F)));
   for (const Material& material : {phong(2.0F), phong(4.0F), ggx(0.9F)}) {
     const LobeHarmonics lobe(material);
-    Material glossy = material;
-    glossy.diffuse = Rgb();
-    const SurfaceBsdf bsdf(glossy);
+    const SurfaceBsdf bsdf = SurfaceBsdf::specular_part(material);
     for (const float angle : {0.0F, 0.6F}) {
       const Vec3 out = direction(frame, angle, 2.0F);
       const RgbHarmonics fitted = lobe.coefficients(frame.normal, out);

@@ -72,7 +72,8 @@ TEST(MaterialKinds, GlossAndReflectanceAreThoseOfTheKind) {
   EXPECT_EQ(gloss_of(as(Bsdf::mirror)), Gloss::mirror);
   EXPECT_EQ(largest_reflectance(as(Bsdf::diffuse)), 0.25F);
   EXPECT_EQ(largest_reflectance(as(Bsdf::phong)), 0.75F);
-  EXPECT_EQ(largest_reflectance(as(Bsdf::ggx)), 1.25F);  // Schlick's term grows to 1
+  EXPECT_EQ(largest_reflectance(as(Bsdf::ggx)), 1.0F);  // Schlick's term grows to what the diffuse part leaves
+  EXPECT_EQ(grazing_reflectance(as(Bsdf::ggx)), Rgb(0.75F));
   EXPECT_EQ(straight_reflectance(as(Bsdf::ggx)), Rgb(0.375F));
   EXPECT_EQ(largest_reflectance(as(Bsdf::mirror)), 0.75F);
   material.specular = material.reflectance = Rgb();
