@@ -5,19 +5,16 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include "common/core/error.h"
+#include "common/core/atomic_file.h"
 
 namespace gibench {
 
 RunLog::RunLog(const std::filesystem::path& file, bool quiet) {
   std::vector<spdlog::sink_ptr> sinks;
-  try {
-    if (!file.empty()) {
-      sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true));
-      sinks.back()->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
-    }
-  } catch (const spdlog::spdlog_ex& error) {
-    throw InputError(file.string(), error.what(), "choose a folder that you may write to");
+  if (!file.empty()) {
+    write_file_atomically(file, {});  // says why where it cannot be written
+    sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true));
+    sinks.back()->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
   }
   if (!quiet) {
     sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_st>());
@@ -26,6 +23,7 @@ RunLog::RunLog(const std::filesystem::path& file, bool quiet) {
   }
   logger_ = std::make_unique<spdlog::logger>("run", sinks.begin(), sinks.end());
   logger_->flush_on(spdlog::level::warn);
+  logger_->set_error_handler([](const std::string&) {});  // a disk that is full by now ends the run at its result
 }
 
 RunLog::~RunLog() = default;

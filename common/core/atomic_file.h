@@ -9,8 +9,14 @@
 
 namespace gibench {
 
-/// Writes or replaces `file`. InputError with the system's reason if that fails; then nothing has changed.
+/// Writes or replaces `file`, through links what they lead to. Bytes for a pipe or a character device (/dev/null, a terminal) are
+/// written into it, which stays what it is. If that fails nothing has changed, and it throws with the system's reason: WorkError
+/// for a full disk, InputError for anything else.
 void write_file_atomically(const std::filesystem::path& file, std::span<const char> bytes);
+
+/// What a link leads to, through every link on the way and whether it exists or not; `path` itself where it is no link. Throws
+/// InputError for a circle of links.
+std::filesystem::path followed(std::filesystem::path path);
 
 /// A name beside `path` that no other process or call uses: hidden, and the same file system.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);

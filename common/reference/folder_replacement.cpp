@@ -4,11 +4,9 @@
 #include <stdio.h>
 
 #include <cerrno>
-#include <cstring>
-#include <string>
 #include <system_error>
 
-#include "common/core/error.h"
+#include "common/core/write_failure.h"
 
 namespace gibench {
 
@@ -28,8 +26,7 @@ void remove_quietly(const std::filesystem::path& folder) {
 }
 
 [[noreturn]] void throw_not_replaced(const std::filesystem::path& target) {
-  throw InputError(target.string(), std::string("cannot be replaced (") + std::strerror(errno) + ")",
-                   "name a store in a folder that may be written to");
+  throw_write_failure(target, "cannot be replaced", errno, "name a folder that may be written to");
 }
 
 }  // namespace
@@ -50,8 +47,10 @@ void replace_folder(const std::filesystem::path& made, const std::filesystem::pa
   const std::filesystem::path previous = previous_version(target);
   std::error_code unreadable;
   if (!std::filesystem::exists(target, unreadable)) {
-    if (!rename_path(made, target)) throw_not_replaced(target);
-  } else if (exchange(made, target)) {
+    if (rename_path(made, target)) return remove_quietly(previous);
+    if (errno != ENOTEMPTY && errno != EEXIST) throw_not_replaced(target);  // else another process made it in this moment
+  }
+  if (exchange(made, target)) {
     remove_quietly(made);
   } else {
     remove_quietly(previous);

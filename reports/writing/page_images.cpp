@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <glm/gtc/packing.hpp>
 
 #include "common/core/error.h"
 #include "common/core/hash.h"
+#include "common/core/write_failure.h"
 #include "common/image/image_layers.h"
 #include "reports/tables/study_tables.h"
 
@@ -67,7 +69,7 @@ PageLayer write_layer(const Pixels& pixels, const fs::path& data_folder, const s
   fs::create_directories(file.parent_path());
   std::ofstream out(file, std::ios::binary);
   out << "gibench.storePixels(\"" << name << "\", \"" << base64(bytes) << "\");\n";
-  if (!out.flush()) throw InputError(file.string(), "cannot be written", "make room or choose another --out");
+  if (!out.flush()) throw_write_failure(file, "cannot be written", errno, "choose another --out");
   return layer;
 }
 

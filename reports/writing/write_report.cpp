@@ -1,9 +1,11 @@
 #include "reports/writing/write_report.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 
 #include "common/core/error.h"
+#include "common/core/write_failure.h"
 #include "reports/collect/facts.h"
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
@@ -19,7 +21,7 @@ void write_text(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   std::ofstream out(file, std::ios::binary);
   out << text;
-  if (!out.flush()) throw InputError(file.string(), "cannot be written", "make room or choose another --out");
+  if (!out.flush()) throw_write_failure(file, "cannot be written", errno, "choose another --out");
 }
 
 void write_table(const fs::path& folder, const Table& table) {
