@@ -72,6 +72,14 @@ std::vector<Candidate> settings_of(const std::string& method, const std::string&
   return settings;
 }
 
+std::vector<Candidate> presets_of(const std::string& method) {
+  std::vector<Candidate> names;
+  for (const MethodEntry& entry : all_methods())
+    if (entry.name == method)
+      for (const Preset& preset : entry.presets) names.push_back({preset.name, preset.meaning});
+  return names;
+}
+
 /// The names behind the commas that stand already.
 std::vector<Candidate> behind_commas(const std::vector<Candidate>& names, const std::string& typed) {
   const std::size_t comma = typed.rfind(',');
@@ -178,6 +186,7 @@ class Completer {
     if (kind == value_kind::study) return file_names(known_studies());
     if (kind == value_kind::method) return method_names();
     if (kind == value_kind::setting) return settings_of(call_.method, typed);
+    if (kind == value_kind::preset) return presets_of(call_.method);
     if (kind == value_kind::effects) return behind_commas(effect_names(), typed);
     if (kind == value_kind::listed) return listed_names(call_.arguments.empty() ? "" : call_.arguments.back());
     if (kind == value_kind::verb) return verbs();

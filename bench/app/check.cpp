@@ -70,18 +70,21 @@ void print_check(const CheckRecord& check) {
 }
 
 struct CheckOptions {
-  std::string scene, method;
-  std::vector<std::string> settings;
+  std::string scene;
+  MethodOptions method;
   std::optional<int> bounces;
   PlanOptions plan;
 };
 
 ExitStatus check(const CheckOptions& options, const CommonOptions& common) {
   const PlanLimits limits = limits_of(options.plan, options.bounces);
-  if (options.method.empty() && !options.settings.empty())
+  const MethodOptions& asked = options.method;
+  if (asked.method.empty() && !asked.settings.empty())
     throw InputError("--set", "is a parameter of no method", "name it with --method");
+  if (asked.method.empty() && !asked.preset.empty())
+    throw InputError("--preset", "is a preset of no method", "name it with --method");
   std::optional<MethodChoice> chosen;
-  if (!options.method.empty()) chosen = choose_method(options.method, options.settings);
+  if (!asked.method.empty()) chosen = choose_method(asked);
   const LoadedScene loaded = load_world(options.scene, common.threads);
   const Scene& scene = loaded.scene();
   const auto start = std::chrono::steady_clock::now();
@@ -108,8 +111,10 @@ void add_check(CLI::App& app, Call& call) {
   set_pages(*verb, {"docs/own-scene.md", "docs/choosing-a-method.md"});
   const auto options = std::make_shared<CheckOptions>();
   add_scene_argument(*verb, options->scene);
-  verb->add_option("--method", options->method, "Only this method's plan")->type_name(value_kind::method);
-  verb->add_option("--set", options->settings, "A parameter of that method, name=value; may be given again")
+  verb->add_option("--method", options->method.method, "Only this method's plan")->type_name(value_kind::method);
+  verb->add_option("--preset", options->method.preset, "A named set of that method's parameters, which --set overrides")
+      ->type_name(value_kind::preset);
+  verb->add_option("--set", options->method.settings, "A parameter of that method, name=value; may be given again")
       ->type_name(value_kind::setting)
       ->take_all();
   add_bounces_option(*verb, options->bounces);

@@ -39,6 +39,12 @@ Json parameter_json(const ParameterSpec& spec) {
   return json;
 }
 
+Json preset_json(const Preset& preset) {
+  Json settings = Json::object();
+  for (const auto& [name, text] : preset.settings) settings[name] = text;
+  return {{"name", preset.name}, {"meaning", preset.meaning}, {"parameters", std::move(settings)}};
+}
+
 Json effect_names(const EffectSet& effects) {
   Json names = Json::array();
   for (const Effect effect : effects) names.push_back(to_string(effect));
@@ -49,13 +55,16 @@ Json method_json(const MethodEntry& entry) {
   const Capabilities can = make_session(entry, Parameters(entry.schema, {}))->capabilities();
   Json parameters = Json::array();
   for (const ParameterSpec& spec : entry.schema) parameters.push_back(parameter_json(spec));
+  Json presets = Json::array();
+  for (const Preset& preset : entry.presets) presets.push_back(preset_json(preset));
   return {{"name", entry.name},
           {"summary", entry.summary},
           {"source", entry.source},
           {"light_paths", entry.light_paths},
           {"effects", effect_names(can.effects)},
           {"computes", {{"direct", can.direct}, {"indirect", can.indirect}, {"variance", can.variance}}},
-          {"parameters", std::move(parameters)}};
+          {"parameters", std::move(parameters)},
+          {"presets", std::move(presets)}};
 }
 
 std::vector<Json> entries(const std::string& what) {
@@ -74,7 +83,7 @@ std::vector<Json> entries(const std::string& what) {
 /// One entry for people: its fields, then a method's parameters as a table.
 void print_entry(const Json& entry) {
   for (const auto& [key, value] : entry.items()) {
-    if (key == "parameters") continue;
+    if (key == "parameters" || key == "presets") continue;
     if (value.is_string()) {
       fmt::print("{:<12} {}\n", key, value.get<std::string>());
       continue;
@@ -92,6 +101,14 @@ void print_entry(const Json& entry) {
     const Json& value = parameter["default"];
     fmt::print("  {:<24} {:<34} default {:<10} {}\n", parameter["name"].get<std::string>(), parameter["type"].get<std::string>(),
                value.is_string() ? value.get<std::string>() : value.dump(), parameter["meaning"].get<std::string>());
+  }
+  if (entry["presets"].empty()) return;
+  fmt::print("presets (--preset NAME)\n");
+  for (const Json& preset : entry["presets"]) {
+    std::string settings;
+    for (const auto& [name, value] : preset["parameters"].items())
+      settings += fmt::format(" {}={}", name, value.get<std::string>());
+    fmt::print("  {:<24} {}:{}\n", preset["name"].get<std::string>(), preset["meaning"].get<std::string>(), settings);
   }
 }
 

@@ -50,11 +50,17 @@ void add_scene_argument(CLI::App& verb, std::string& scene) {
       ->required();
 }
 
-void add_method_options(CLI::App& verb, std::string& method, std::vector<std::string>& settings) {
-  verb.add_option("--method", method, "Method; see gibench list methods")->type_name(value_kind::method)->required();
-  verb.add_option("--set", settings, "A parameter of the method, name=value; may be given again")
+void add_method_options(CLI::App& verb, MethodOptions& options) {
+  verb.add_option("--method", options.method, "Method; see gibench list methods")->type_name(value_kind::method)->required();
+  verb.add_option("--preset", options.preset, "A named set of the method's parameters, which --set overrides; none: the defaults")
+      ->type_name(value_kind::preset);
+  verb.add_option("--set", options.settings, "A parameter of the method, name=value; may be given again")
       ->type_name(value_kind::setting)
       ->take_all();
+}
+
+MethodChoice choose_method(const MethodOptions& options) {
+  return choose_method(options.method, options.settings, options.preset);
 }
 
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options) {

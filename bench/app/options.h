@@ -4,6 +4,7 @@
 #include "bench/measure/measuring.h"
 #include "bench/measure/plan_options.h"
 #include "bench/measure/relight_options.h"
+#include "bench/measure/run_method.h"
 
 namespace CLI {
 class App;
@@ -13,8 +14,13 @@ namespace gibench {
 
 /// The scene, which every verb that has one names first.
 void add_scene_argument(CLI::App& verb, std::string& scene);
-/// --method and --set
-void add_method_options(CLI::App& verb, std::string& method, std::vector<std::string>& settings);
+/// --method, --preset and --set
+struct MethodOptions {
+  std::string method, preset;
+  std::vector<std::string> settings;
+};
+void add_method_options(CLI::App& verb, MethodOptions& options);
+MethodChoice choose_method(const MethodOptions& options);
 /// --surface-samples, --pixel-samples, --camera, --width, --no-pictures, --bounces
 void add_measuring_options(CLI::App& verb, MeasuringOptions& options);
 /// --frames, --surface-samples, --compared-samples, --reference-samples

@@ -22,8 +22,8 @@ namespace gibench {
 namespace {
 
 struct QueryOptions {
-  std::string scene, method;
-  std::vector<std::string> settings;
+  std::string scene;
+  MethodOptions method;
   std::filesystem::path points, out;
   std::optional<int> bounces;
   PlanOptions plan;
@@ -88,7 +88,7 @@ void answer_group(const LitMethod& lit, const std::string& name, const std::vect
 }
 
 ExitStatus query(const QueryOptions& options, const CommonOptions& common) {
-  const MethodChoice choice = choose_method(options.method, options.settings);
+  const MethodChoice choice = choose_method(options.method);
   limits_of(options.plan, options.bounces);
   std::vector<Query> queries = parse_queries(read_file(options.points), options.points.string());
   const LoadedScene scene = load_world(options.scene, common.threads);
@@ -120,7 +120,7 @@ void add_query(CLI::App& app, Call& call) {
   set_pages(*verb, {"docs/queries.md"});
   const auto options = std::make_shared<QueryOptions>();
   add_scene_argument(*verb, options->scene);
-  add_method_options(*verb, options->method, options->settings);
+  add_method_options(*verb, options->method);
   verb->add_option("--points", options->points, "JSON file of queries")->type_name(value_kind::file)->required();
   verb->add_option("--out", options->out, "JSON file for the answers; without it they go to stdout")->type_name(value_kind::file);
   add_bounces_option(*verb, options->bounces);

@@ -24,8 +24,8 @@ namespace gibench {
 namespace {
 
 struct RelightCall {
-  std::string scene, method;
-  std::vector<std::string> settings;
+  std::string scene;
+  MethodOptions method;
   std::filesystem::path lights, out;
   std::optional<int> bounces;
   RelightOptions relight;
@@ -155,7 +155,7 @@ void print_summary(const RelightSummary& summary) {
 }
 
 ExitStatus relight(const RelightCall& options, const CommonOptions& common) {
-  const MethodChoice choice = choose_method(options.method, options.settings);
+  const MethodChoice choice = choose_method(options.method);
   require_relighting(choice);
   require_irradiance(choice);
   LoadedScene loaded = load_world(options.scene, common.threads);
@@ -183,7 +183,7 @@ void add_relight(CLI::App& app, Call& call) {
   set_pages(*verb, {"scenes/README.md", "docs/files.md"});
   const auto options = std::make_shared<RelightCall>();
   add_scene_argument(*verb, options->scene);
-  add_method_options(*verb, options->method, options->settings);
+  add_method_options(*verb, options->method);
   verb->add_option("--lights", options->lights, "JSON file of the moving lights; see scenes/README.md")
       ->type_name(value_kind::file)
       ->required();

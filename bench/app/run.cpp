@@ -23,8 +23,8 @@ namespace gibench {
 namespace {
 
 struct RunOptions {
-  std::string scene, method;
-  std::vector<std::string> settings;
+  std::string scene;
+  MethodOptions method;
   MeasuringOptions measuring;
   PlanOptions plan;
   std::optional<int> per_bounce;
@@ -138,7 +138,7 @@ void print_summary(const RunRecord& record) {
 }
 
 ExitStatus run(const RunOptions& options, const CommonOptions& common) {
-  const MethodChoice choice = choose_method(options.method, options.settings);
+  const MethodChoice choice = choose_method(options.method);
   strata_per_side(options.measuring.pixel_samples, "--pixel-samples");
   limits_of(options.plan, options.measuring.bounces);
   const LoadedScene scene = load_world(options.scene, common.threads);
@@ -181,7 +181,7 @@ void add_run(CLI::App& app, Call& call) {
   set_pages(*verb, {"docs/own-scene.md", "docs/files.md"});
   const auto options = std::make_shared<RunOptions>();
   add_scene_argument(*verb, options->scene);
-  add_method_options(*verb, options->method, options->settings);
+  add_method_options(*verb, options->method);
   add_measuring_options(*verb, options->measuring);
   add_plan_options(*verb, options->plan);
   add_light_paths_option(*verb, options->plan.light_paths);

@@ -13,6 +13,7 @@ namespace gibench::value_kind {
 inline constexpr const char* scene = "SCENE";         ///< scene file, model file or the name of a known scene
 inline constexpr const char* method = "METHOD";       ///< a method's name
 inline constexpr const char* setting = "NAME=VALUE";  ///< a parameter of the method that --method names
+inline constexpr const char* preset = "PRESET";       ///< a preset of that method
 inline constexpr const char* effects = "EFFECTS";     ///< names of effects, commas between
 inline constexpr const char* study = "STUDY";         ///< study file, or the name of one that comes with the program
 inline constexpr const char* listed = "NAME";         ///< of what the argument before it says: methods, scenes, …

@@ -50,16 +50,16 @@ std::vector<Component> completed_components(const Capabilities& can) {
 
 const MethodEntry& method_named(const std::string& name, const std::string& place) { return find_method(name, place); }
 
-MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings) {
+MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings, const std::string& preset) {
   const MethodEntry& entry = find_method(name);
-  std::vector<std::pair<std::string, std::string>> pairs;
+  SettingTexts pairs;
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0)
       throw InputError("--set", fmt::format("'{}' is not a setting", setting), "write --set name=value");
     pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
   }
-  return {&entry, Parameters(entry.schema, pairs)};
+  return {&entry, Parameters(entry.schema, with_preset(entry.presets, preset, pairs))};
 }
 
 void require_relighting(const MethodChoice& choice, const std::string& place) {

@@ -27,8 +27,9 @@ struct MethodChoice {
 /// The method of this name. Throws InputError, the known ones listed; `place` is where it is named.
 const MethodEntry& method_named(const std::string& name, const std::string& place);
 
-/// `settings` are "name=value" texts as of --set. Throws InputError for what is unknown, out of range or not a setting.
-MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings);
+/// `settings` are "name=value" texts as of --set, which override those of the preset, if one is named. Throws InputError for what
+/// is unknown, out of range or not a setting.
+MethodChoice choose_method(const std::string& name, const std::vector<std::string>& settings, const std::string& preset = {});
 
 /// Throws InputError, the methods that do listed, for a method whose capabilities do not say that it relights.
 /// `place` is where the method is named.

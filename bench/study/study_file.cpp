@@ -34,6 +34,11 @@ const MethodEntry& method_at(const json& value, const JsonPlace& place) {
 
 using Setting = std::pair<std::string, std::string>;
 
+/// The settings of the preset that the entry names, which its parameters override.
+SettingTexts preset_of(const json& entry, const JsonPlace& place, const MethodEntry& method) {
+  return with_preset(method.presets, entry.value("preset", ""), {}, place["preset"].text());
+}
+
 /// Every combination of one value from each list, the last list changing fastest.
 std::vector<std::vector<Setting>> combinations(const json& sweep) {
   std::vector<std::vector<Setting>> all{{}};
@@ -80,7 +85,7 @@ void add_variants(const json& entry, const JsonPlace& place, double tolerance, S
   std::vector<StudyVariant>& variants = study.variants;
   const MethodEntry& method = method_at(entry["method"], place["method"]);
   const json parameters = entry.value("parameters", json::object()), sweep = entry.value("sweep", json::object());
-  std::vector<Setting> fixed;
+  std::vector<Setting> fixed = preset_of(entry, place, method);
   for (const auto& [name, value] : parameters.items()) {
     fixed.emplace_back(name, setting_text(value));
     Parameters(method.schema, {fixed.back()}, place["parameters"].text());
@@ -143,12 +148,10 @@ StudyRelight relight_at(const json& entry, const JsonPlace& place, const fs::pat
   relight.lights = moving_lights_at(entry["lights"], place["lights"], study.scenes[relight.scene], folder);
   relight.method = method.name;
   relight.label = entry.value("label", method.name);
-  std::vector<Setting> settings;
+  std::vector<Setting> settings = preset_of(entry, place, method);
   const json given = entry.value("parameters", json::object());
-  for (const auto& [name, value] : given.items()) {
-    settings.emplace_back(name, setting_text(value));
-    relight.settings.push_back(name + "=" + settings.back().second);
-  }
+  for (const auto& [name, value] : given.items()) settings.emplace_back(name, setting_text(value));
+  for (const auto& [name, text] : settings) relight.settings.push_back(name + "=" + text);
   const Parameters parameters(method.schema, settings, place["parameters"].text());
   relight.parameters = parameters.values();
   require_relighting({&method, parameters}, place["method"].text());

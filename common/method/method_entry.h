@@ -8,6 +8,7 @@
 
 #include "common/method/method.h"
 #include "common/method/parameters.h"
+#include "common/method/presets.h"
 
 namespace gibench {
 
@@ -20,9 +21,11 @@ struct MethodEntry {
   ParameterSchema schema;
   std::unique_ptr<TransportMethod> (*make)(const Parameters&);  ///< for a MethodSession: see make_session()
   /// Settings for a rough answer in little time, a second or less in a simple room: what the contract's tests run on.
-  std::vector<std::pair<std::string, std::string>> quick = {};
+  SettingTexts quick = {};
   /// The parameter, if any, whose choices are techniques of their own: each has to keep the contract.
   std::string technique_parameter = {};
+  /// What `--preset` may name.
+  std::vector<Preset> presets = {};
 };
 
 }  // namespace gibench

@@ -7,7 +7,7 @@
 namespace gibench::contract {
 
 std::span<const Check> all_checks() {
-  static constexpr std::array<Check, 23> checks{{
+  static constexpr std::array<Check, 24> checks{{
       {"DoublingTheLightDoublesTheAnswer", verify_doubling_the_light_doubles_the_answer},
       {"TwoLightsAdd", verify_two_lights_add},
       {"NoLightGivesBlack", verify_no_light_gives_black},
@@ -31,6 +31,7 @@ std::span<const Check> all_checks() {
       {"TheEntryDescribesItself", verify_the_entry_describes_itself},
       {"UnknownParametersAreRefused", verify_unknown_parameters_are_refused},
       {"ParametersDescribeThemselves", verify_parameters_describe_themselves},
+      {"PresetsCanBeChosen", verify_presets_can_be_chosen},
   }};
   return checks;
 }

@@ -63,5 +63,6 @@ void verify_editing_equals_a_fresh_run(const MethodEntry& entry);
 void verify_the_entry_describes_itself(const MethodEntry& entry);
 void verify_unknown_parameters_are_refused(const MethodEntry& entry);
 void verify_parameters_describe_themselves(const MethodEntry& entry);
+void verify_presets_can_be_chosen(const MethodEntry& entry);
 
 }  // namespace gibench::contract

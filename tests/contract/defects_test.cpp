@@ -130,6 +130,26 @@ const WrongEntry wrong_entries[] = {
      "not a plain name"},
     {"DoesNotSayWhatItMeans", [](MethodEntry& e) { e.schema[2].meaning.clear(); }, "ParametersDescribeThemselves",
      "lively does not say"},
+    {"HasAPresetOfWhatItDoesNotHave",
+     [](MethodEntry& e) {
+       e.presets = {{"paper", "of the text", {{"point", "4"}}}};
+     },
+     "PresetsCanBeChosen", "'point'"},
+    {"HasAPresetOutOfRange",
+     [](MethodEntry& e) {
+       e.presets = {{"paper", "of the text", {{"points", "65"}}}};
+     },
+     "PresetsCanBeChosen", "points=65 is not valid"},
+    {"HasAPresetThatSaysNothing",
+     [](MethodEntry& e) {
+       e.presets = {{"paper", "", {}}};
+     },
+     "PresetsCanBeChosen", "paper does not say"},
+    {"HasAPresetTwice",
+     [](MethodEntry& e) {
+       e.presets.assign(2, {"paper", "of the text", {}});
+     },
+     "PresetsCanBeChosen", "two presets called paper"},
 };
 
 INSTANTIATE_TEST_SUITE_P(EveryMistake, TheContractCatchesAnEntry, testing::ValuesIn(wrong_entries),

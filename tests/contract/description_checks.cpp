@@ -100,6 +100,23 @@ void verify_unknown_parameters_are_refused(const MethodEntry& entry) {
   }
 }
 
+void verify_presets_can_be_chosen(const MethodEntry& entry) {
+  std::set<std::string> names;
+  for (const Preset& preset : entry.presets) {
+    if (!is_plain_name(preset.name, lower_case))
+      throw Violation(fmt::format("'{}' is not a plain name of a preset", preset.name));
+    if (!names.insert(preset.name).second) throw Violation("there are two presets called " + preset.name);
+    if (!is_one_line(preset.meaning)) throw Violation(preset.name + " does not say in one line what it means");
+    std::set<std::string> set;
+    for (const auto& [name, value] : preset.settings) {
+      if (!set.insert(name).second) throw Violation(fmt::format("the preset {} sets {} twice", preset.name, name));
+      if (const std::string message = refusal_of(entry, name, value); !message.empty())
+        throw Violation(fmt::format("the preset {} cannot be chosen: {}", preset.name, message));
+    }
+    make_session(entry, Parameters(entry.schema, preset.settings));
+  }
+}
+
 void verify_parameters_describe_themselves(const MethodEntry& entry) {
   std::set<std::string> names;
   for (const ParameterSpec& spec : entry.schema) {
