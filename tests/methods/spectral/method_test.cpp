@@ -91,13 +91,12 @@ TEST(SpectralMethod, ThePapersOwnAlgorithmAgreesInAFurnace) {
   made::SceneBuilder builder;
   builder.room("room", builder.diffuse("glowing", Rgb(0.5F), Rgb(1.0F)), Vec3(0.0F), Vec3(1.0F));
   // The text's algorithm; of its sizes the mesh and the rays are smaller here.
-  Solved solved(builder.build("furnace"),
-                with_preset(spectral_entry().presets, "paper",
-                            {{"vertices", "600"},
-                             {"part_vertices", "150"},
-                             {"basis_functions", "100"},
-                             {"rays", "256"},
-                             {"direct_samples", "64"}}));
+  Solved solved(builder.build("furnace"), with_preset(spectral_entry().presets, "paper",
+                                                      {{"vertices", "600"},
+                                                       {"part_vertices", "150"},
+                                                       {"basis_functions", "100"},
+                                                       {"rays", "256"},
+                                                       {"direct_samples", "64"}}));
   ASSERT_TRUE(succeeded(solved.lit.termination)) << solved.lit.message;
   StageReport report;
   const std::vector<Rgb> values = solved.indirect(area_uniform_samples(solved.world, 200, 3), Quantity::irradiance, report);
