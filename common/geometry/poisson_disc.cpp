@@ -41,7 +41,9 @@ struct PoissonDisc::Grid {
     rebuild(points);
   }
 
-  static std::uint32_t hash(std::int32_t x, std::int32_t y, std::int32_t z) {
+  /// A cell's number along an axis; discs may be so small beside the scene that it does not fit into 32 bits.
+  static std::int64_t whole(float cell) { return static_cast<std::int64_t>(std::clamp(cell, -1e18F, 1e18F)); }
+  static std::uint32_t hash(std::int64_t x, std::int64_t y, std::int64_t z) {
     const std::uint32_t mixed = static_cast<std::uint32_t>(x) * 0x8da6b343U ^ static_cast<std::uint32_t>(y) * 0xd8163841U ^
                                 static_cast<std::uint32_t>(z) * 0xcb1ab31fU;
     return mixed ^ (mixed >> 15);
@@ -49,7 +51,7 @@ struct PoissonDisc::Grid {
   Vec3 cell_coordinates(const Vec3& position) const { return (position - origin) * cells_per_metre; }
   std::uint32_t hash_of(const Vec3& position) const {
     const Vec3 cell = glm::floor(cell_coordinates(position));
-    return hash(static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y), static_cast<std::int32_t>(cell.z));
+    return hash(whole(cell.x), whole(cell.y), whole(cell.z));
   }
 
   void insert(const DiscPoint& point) {
@@ -100,9 +102,8 @@ struct PoissonDisc::Grid {
     const Vec3 coordinates = cell_coordinates(point.position);
     const Vec3 home = glm::floor(coordinates);
     const Vec3 inside = coordinates - home;
-    const auto x = static_cast<std::int32_t>(home.x), y = static_cast<std::int32_t>(home.y),
-               z = static_cast<std::int32_t>(home.z);
-    const std::int32_t dx = inside.x < 0.5F ? -1 : 1, dy = inside.y < 0.5F ? -1 : 1, dz = inside.z < 0.5F ? -1 : 1;
+    const std::int64_t x = whole(home.x), y = whole(home.y), z = whole(home.z);
+    const std::int64_t dx = inside.x < 0.5F ? -1 : 1, dy = inside.y < 0.5F ? -1 : 1, dz = inside.z < 0.5F ? -1 : 1;
     for (int corner = 0; corner < 8; ++corner)
       if (test(hash(x + ((corner & 1) != 0 ? dx : 0), y + ((corner & 2) != 0 ? dy : 0), z + ((corner & 4) != 0 ? dz : 0))))
         return true;

@@ -107,6 +107,13 @@ bool Expansion::Sums::level_value(Rgb& value) const {
   return true;
 }
 
+LaneMask Expansion::counting(const Cluster& cluster, std::uint32_t block) const {
+  const auto channels = static_cast<std::size_t>(channels_);
+  LaneMask any = cluster.values[channels * block] != 0.0F;
+  for (std::size_t channel = 1; channel < channels; ++channel) any |= cluster.values[channels * block + channel] != 0.0F;
+  return any;
+}
+
 Rgb Expansion::evaluate(const Place& at) const { return channels_ == 1 ? evaluate_channels<1>(at) : evaluate_channels<3>(at); }
 
 Rgb Expansion::evaluate_seen(const Place& at, const Vec3& receiver, float solid_angle, std::uint64_t& levels_used) const {

@@ -2,6 +2,7 @@
 /// reaches, in blocks of eight basis functions whose weights are computed side by side.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,10 @@ class Expansion {
   /// the balls of the basis functions that cover the place subtend less than `solid_angle` sr on average
   /// (section 6.3, GATHER). `levels_used` grows by the number of levels evaluated.
   Rgb evaluate_seen(const Place& at, const Vec3& receiver, float solid_angle, std::uint64_t& levels_used) const;
+
+  /// Calls visit(position, normal) for every basis function of the finest level that adds to the function at the place.
+  template <class Visit>
+  void visit_finest(const Place& at, Visit&& visit) const;
 
   std::size_t bytes() const;
 
@@ -62,8 +67,30 @@ class Expansion {
   static Lanes cosine(const Block& block, const Vec3& normal);
 
   std::uint32_t levels_ = 0, groups_ = 0;
+  /// Lanes of a block with a coefficient that is not zero.
+  LaneMask counting(const Cluster& cluster, std::uint32_t block) const;
+
   int channels_ = 3;
   std::vector<Cluster> clusters_;  ///< by level, then group
 };
+
+template <class Visit>
+void Expansion::visit_finest(const Place& at, Visit&& visit) const {
+  bool found = false;
+  for (std::uint32_t level = levels_; level-- > 0 && !found;) {
+    const Cluster& cluster = clusters_[level * groups_ + at.group];
+    cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
+      const Block& block = cluster.blocks[index];
+      const LaneMask adds =
+          (squared_ratio(block, at.position) < 1.0F) & (cosine(block, at.normal) > least_cosine) & counting(cluster, index);
+      for (std::uint32_t bits = lane_bits(adds); bits != 0; bits &= bits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+        visit(Vec3(block.position[0][i], block.position[1][i], block.position[2][i]),
+              Vec3(block.normal[0][i], block.normal[1][i], block.normal[2][i]));
+        found = true;
+      }
+    });
+  }
+}
 
 }  // namespace gibench::meshless

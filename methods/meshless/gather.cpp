@@ -42,16 +42,18 @@ Estimate estimate_of(const std::array<RgbDouble, parts>& sums, std::size_t rays)
 }  // namespace
 
 void BasisSender::irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t, RayStream&,
-                             std::span<Rgb> values, std::uint64_t& levels_used) const {
+                             std::span<Rgb> values, SenderCounts& counts) const {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const SurfaceSample& hit = hits[i];
-    values[i] = expansion_.evaluate_seen({hit.position, hit.normal, groups_.of_triangle[hit.triangle]}, receiver, epsilon_omega_,
-                                         levels_used);
+    const Place at{hit.position, hit.normal, groups_.of_triangle[hit.triangle]};
+    const std::uint64_t before = counts.levels_used;
+    values[i] = expansion_.evaluate_seen(at, receiver, epsilon_omega_, counts.levels_used);
+    if (counts.levels_used == before && !hierarchy_.covered(at)) ++counts.uncovered;
   }
 }
 
 void DirectSender::irradiance(std::span<const SurfaceSample> hits, const Vec3&, std::uint64_t key, RayStream& rays,
-                              std::span<Rgb> values, std::uint64_t&) const {
+                              std::span<Rgb> values, SenderCounts&) const {
   for (std::size_t i = 0; i < hits.size(); ++i)
     values[i] = light_.irradiance(hits[i], mix_keys(key, direct_stage, i), samples_, rays);
 }
@@ -86,7 +88,7 @@ Estimate Gatherer::irradiance(const SurfaceSample& receiver, std::uint64_t key, 
   trace(receiver, key, rays, buffers);
   collect_lit_hits(buffers);
   buffers.values.resize(buffers.lit.size());
-  sender.irradiance(buffers.lit, receiver.position, key, rays, buffers.values, buffers.levels_used);
+  sender.irradiance(buffers.lit, receiver.position, key, rays, buffers.values, buffers.counts);
   buffers.evaluations += buffers.lit.size();
   std::array<RgbDouble, parts> sums;
   for (std::size_t i = 0; i < buffers.lit.size(); ++i)

@@ -14,25 +14,35 @@
 
 namespace gibench::meshless {
 
+/// What was met while senders were evaluated.
+struct SenderCounts {
+  std::uint64_t levels_used = 0;  ///< of the basis
+  std::uint64_t uncovered = 0;    ///< hits that no basis function covers, and that send nothing
+};
+
 /// What a gather sees: the irradiance that arrives where its rays hit, before the reflection there.
 class Sender {
  public:
   virtual ~Sender() = default;
-  /// Irradiance at each hit, W/m², as seen from `receiver`. `key` fixes random numbers; `levels_used` counts basis levels.
+  /// Irradiance at each hit, W/m², as seen from `receiver`. `key` fixes random numbers.
   virtual void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
-                          std::span<Rgb> values, std::uint64_t& levels_used) const = 0;
+                          std::span<Rgb> values, SenderCounts& counts) const = 0;
 };
 
 /// The previous bounce in the basis, as coarse as the threshold of the solid angle allows.
 class BasisSender : public Sender {
  public:
   BasisSender(const Coefficients& coefficients, const Groups& groups, double epsilon_omega)
-      : expansion_(coefficients), groups_(groups), epsilon_omega_(static_cast<float>(epsilon_omega)) {}
+      : hierarchy_(coefficients.hierarchy()),
+        expansion_(coefficients),
+        groups_(groups),
+        epsilon_omega_(static_cast<float>(epsilon_omega)) {}
   void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
-                  std::span<Rgb> values, std::uint64_t& levels_used) const override;
+                  std::span<Rgb> values, SenderCounts& counts) const override;
   std::size_t bytes() const { return expansion_.bytes(); }
 
  private:
+  const Hierarchy& hierarchy_;
   Expansion expansion_;
   const Groups& groups_;
   float epsilon_omega_;
@@ -43,7 +53,7 @@ class DirectSender : public Sender {
  public:
   DirectSender(const DirectLight& light, int samples) : light_(light), samples_(samples) {}
   void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
-                  std::span<Rgb> values, std::uint64_t& levels_used) const override;
+                  std::span<Rgb> values, SenderCounts& counts) const override;
 
  private:
   const DirectLight& light_;
@@ -57,7 +67,8 @@ struct GatherBuffers {
   std::vector<SurfaceSample> lit;
   std::vector<std::uint32_t> ray_of_lit;
   std::vector<Rgb> albedos, values;
-  std::uint64_t levels_used = 0, evaluations = 0;
+  SenderCounts counts;
+  std::uint64_t evaluations = 0;
 };
 
 /// An estimate and how far it may be off.

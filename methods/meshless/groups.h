@@ -15,10 +15,11 @@ struct Groups {
   std::size_t bytes() const { return of_triangle.capacity() * sizeof(std::uint32_t); }
 };
 
-/// Groups by Object::group and, where asked for, by connected component: triangles are connected where corners
-/// coincide. `automatic` takes the components as long as there are at most `few_components` groups then.
+/// Groups by Object::group and, where asked for, by connected component (components.h). `automatic` keeps the `most_own_groups`
+/// components of the largest area for themselves; the others of an Object::group are one group together, so that one more small
+/// component changes no group but that.
 Groups make_groups(const World& world, Grouping grouping);
 
-inline constexpr std::uint32_t few_components = 32;
+inline constexpr std::uint32_t most_own_groups = 32;
 
 }  // namespace gibench::meshless

@@ -9,7 +9,7 @@ namespace gibench::meshless {
 namespace {
 
 constexpr std::size_t radius_chunk = 512;  // points
-constexpr float smallest_radius = 1e-3F;   // of the largest: points that coincide over a corner
+constexpr float smallest_radius = 4e-3F;   // in disc radii: points that coincide over a corner
 
 /// The k smallest squared distances met so far, below a bound.
 class NearestDistances {
@@ -43,13 +43,13 @@ Hierarchy::Hierarchy(Placement placement, std::uint32_t groups, const Settings& 
   sides_.reserve(total);
   radii_.assign(total, 0.0F);
   cluster_begin_.push_back(0);
-  double largest_radius = settings.radius_limit * placement.radius;
-  for (std::uint32_t level = 0; level < levels_; ++level, largest_radius *= 0.5) {
+  double disc_radius = placement.radius;
+  for (std::uint32_t level = 0; level < levels_; ++level, disc_radius *= 0.5) {
     for (std::uint32_t group = 0; group < groups_; ++group) {
       append(std::exchange(placement.points[level][group], {}));
       cluster_begin_.push_back(static_cast<std::uint32_t>(positions_.size()));
       trees_.push_back(make_tree(level, group));
-      find_radii(level, group, settings.neighbours, static_cast<float>(largest_radius), task);
+      find_radii(level, group, settings, static_cast<float>(disc_radius), task);
       trees_.back() = make_tree(level, group);
     }
     task.progress("find radii", 0.7 + 0.3 * (level + 1) / levels_);
@@ -67,14 +67,15 @@ void Hierarchy::append(const std::vector<DiscPoint>& points) {
   }
 }
 
-void Hierarchy::find_radii(std::uint32_t level, std::uint32_t group, int neighbours, float largest_radius, Task& task) {
+void Hierarchy::find_radii(std::uint32_t level, std::uint32_t group, const Settings& settings, float disc_radius, Task& task) {
+  const float largest_radius = static_cast<float>(settings.radius_limit) * disc_radius;
   const std::uint32_t begin = cluster_begin(level, group), end = static_cast<std::uint32_t>(positions_.size());
   const BoxTree& blocks = trees_.back();
   std::vector<Vec3> normals(end - begin);
   for (std::uint32_t point = begin; point < end; ++point) normals[point - begin] = normal(point);
   task.parallel_chunks(end - begin, radius_chunk, [&](const ChunkRange& range) {
     for (std::uint32_t i = static_cast<std::uint32_t>(range.begin); i < range.end; ++i) {
-      NearestDistances nearest(neighbours, largest_radius * largest_radius);
+      NearestDistances nearest(settings.neighbours, largest_radius * largest_radius);
       blocks.visit_nearest(
           positions_[begin + i], [&] { return nearest.limit(); },
           [&](std::uint32_t block) {
@@ -86,7 +87,7 @@ void Hierarchy::find_radii(std::uint32_t level, std::uint32_t group, int neighbo
               if (glm::dot(normals[i], normals[other]) > least_cosine) nearest.add(distance_squared);
             }
           });
-      radii_[begin + i] = std::max(std::sqrt(nearest.limit()), smallest_radius * largest_radius);
+      radii_[begin + i] = std::max(std::sqrt(nearest.limit()), smallest_radius * disc_radius);
     }
   });
 }
@@ -120,7 +121,7 @@ std::uint32_t Hierarchy::group_of(std::uint32_t point) const {
 std::size_t Hierarchy::bytes() const {
   std::size_t sum = cluster_begin_.capacity() * sizeof(std::uint32_t) + positions_.capacity() * sizeof(Vec3) +
                     radii_.capacity() * sizeof(float) + normals_.capacity() * sizeof(std::uint32_t) +
-                    sides_.capacity() * sizeof(std::uint32_t);
+                    sides_.capacity() * sizeof(std::uint32_t) + coarsest_shares_.capacity() * sizeof(double);
   for (const BoxTree& tree : trees_) sum += sizeof(BoxTree) + tree.bytes();
   return sum;
 }

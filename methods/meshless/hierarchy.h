@@ -70,11 +70,25 @@ class Hierarchy {
     });
   }
 
+  /// Whether any basis function is not zero at the place.
+  bool covered(const Place& at) const {
+    bool any = false;
+    for (std::uint32_t level = 0; level < levels_ && !any; ++level)
+      visit_covering(level, at, [&](std::uint32_t, float) { any = true; });
+    return any;
+  }
+
+  /// The share of the surfaces' area that a point of level 0 stands for; all together 1. Even, unless it was set.
+  double coarsest_share(std::uint32_t point) const {
+    return coarsest_shares_.empty() ? 1.0 / static_cast<double>(level_size(0)) : coarsest_shares_[point];
+  }
+  void set_coarsest_shares(std::vector<double> shares) { coarsest_shares_ = std::move(shares); }
+
   std::size_t bytes() const;
 
  private:
   void append(const std::vector<DiscPoint>& points);
-  void find_radii(std::uint32_t level, std::uint32_t group, int neighbours, float largest_radius, Task& task);
+  void find_radii(std::uint32_t level, std::uint32_t group, const Settings& settings, float disc_radius, Task& task);
   BoxTree make_tree(std::uint32_t level, std::uint32_t group) const;
 
   std::uint32_t levels_ = 0, groups_ = 0;
@@ -84,6 +98,7 @@ class Hierarchy {
   std::vector<std::uint32_t> normals_;  ///< packed
   std::vector<std::uint32_t> sides_;    ///< triangle · 2 + (1 on the back)
   std::vector<BoxTree> trees_;
+  std::vector<double> coarsest_shares_;
 };
 
 }  // namespace gibench::meshless

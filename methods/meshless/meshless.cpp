@@ -5,6 +5,8 @@
 #include "common/core/error.h"
 #include "common/effects/scene_facts.h"
 #include "common/geometry/has_area.h"
+#include "methods/meshless/coarsest_shares.h"
+#include "methods/meshless/crossings.h"
 #include "methods/meshless/placement.h"
 #include "methods/meshless/settings.h"
 #include "methods/meshless/solver.h"
@@ -16,6 +18,22 @@ namespace {
 using namespace meshless;
 
 constexpr std::size_t shade_chunk = 256;  // samples
+
+/// Samples at which the answer is not simply that of the basis.
+struct Exceptions {
+  std::uint64_t clamped = 0;    ///< light below zero, answered as zero
+  std::uint64_t inside = 0;     ///< taken for points inside geometry: answered as zero
+  std::uint64_t uncovered = 0;  ///< no basis function reaches there: answered as zero
+};
+
+void count(const std::vector<Exceptions>& chunks, Task& task) {
+  Exceptions all;
+  for (const Exceptions& chunk : chunks)
+    all.clamped += chunk.clamped, all.inside += chunk.inside, all.uncovered += chunk.uncovered;
+  task.count("clamped_samples", all.clamped);
+  task.count("inside_samples", all.inside);
+  task.count("uncovered_samples", all.uncovered);
+}
 
 class Meshless : public TransportMethod {
  public:
@@ -50,8 +68,15 @@ class Meshless : public TransportMethod {
     const Settings settings = planned_settings();
     transport_.groups = make_groups(world, settings.grouping);
     Placement placement = place_points(world, transport_.groups, settings, task);
+    if (!placement.refusal.empty()) {
+      report.termination = Termination::out_of_budget;
+      report.message = placement.refusal;
+      return;
+    }
     task.count("proposals", placement.proposals);
+    task.count("proposals_inside", placement.inside);
     transport_.hierarchy = Hierarchy(std::move(placement), transport_.groups.count, settings, task);
+    transport_.hierarchy.set_coarsest_shares(coarsest_shares(world, transport_.groups, transport_.hierarchy, task));
     task.count("samples", transport_.hierarchy.size());
     task.count("levels", transport_.hierarchy.levels());
     if (transport_.hierarchy.levels() > 0) task.count("coarsest_samples", transport_.hierarchy.level_size(0));
@@ -74,18 +99,28 @@ class Meshless : public TransportMethod {
   }
 
   void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    const bool solved = solution_.indirect || solution_.direct;
     const std::vector<std::uint8_t> clear = clear_samples(request.samples, task);
+    std::vector<Exceptions> exceptions(chunk_count(request.samples.size(), shade_chunk));
     task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
+      Exceptions& met = exceptions[range.chunk];
       for (std::size_t i = range.begin; i < range.end; ++i) {
         const SurfaceSample& sample = request.samples[i];
-        const Rgb direct = clear[i] != 0 ? irradiance(solution_.direct, sample) : Rgb();
-        const Rgb indirect = clear[i] != 0 ? irradiance(solution_.indirect, sample) : Rgb();
+        bool below_zero = false;
+        const Rgb direct = clear[i] != 0 ? irradiance(solution_.direct, sample, below_zero) : Rgb();
+        const Rgb indirect = clear[i] != 0 ? irradiance(solution_.indirect, sample, below_zero) : Rgb();
+        met.clamped += below_zero ? 1U : 0U;
+        if (solved && sample.lit_side && clear[i] == 0) ++met.inside;
+        if (solved && clear[i] != 0 && is_black(direct) && is_black(indirect) && !transport_.hierarchy.covered(place_of(sample)))
+          ++met.uncovered;
         const bool leaving = request.quantity == Quantity::radiance;
         const Rgb factor = leaving ? world_->scene().material_of_object(sample.object).diffuse / pi : Rgb(1.0F);
         if (!answer.direct.empty()) answer.direct[i] = direct * factor + (leaving ? direct_light_->emission(sample) : Rgb());
         if (!answer.indirect.empty()) answer.indirect[i] = indirect * factor;
       }
     });
+    count(exceptions, task);
+    if (solved && plan_.simulates(Effect::occlusion)) count_crossings(request.samples, task);
   }
 
  private:
@@ -117,10 +152,22 @@ class Meshless : public TransportMethod {
     return clear;
   }
 
+  Place place_of(const SurfaceSample& sample) const {
+    return {sample.position, sample.normal, transport_.groups.of_triangle[sample.triangle]};
+  }
+
+  void count_crossings(std::span<const SurfaceSample> samples, Task& task) const {
+    const Expansion& expansion = solution_.indirect ? *solution_.indirect : *solution_.direct;
+    const Crossings met = find_crossings(*world_, transport_.groups, expansion, samples, task);
+    task.count("tried_samples", met.tried);
+    task.count("crossed_samples", met.crossed);
+  }
+
   /// The expansion at the sample; differences of levels may ring below zero, which no irradiance does.
-  Rgb irradiance(const std::optional<Expansion>& expansion, const SurfaceSample& sample) const {
+  Rgb irradiance(const std::optional<Expansion>& expansion, const SurfaceSample& sample, bool& below_zero) const {
     if (!expansion) return {};
-    const Rgb value = expansion->evaluate({sample.position, sample.normal, transport_.groups.of_triangle[sample.triangle]});
+    const Rgb value = expansion->evaluate(place_of(sample));
+    below_zero = below_zero || smallest(value) < 0.0F;
     return {std::max(0.0F, value.r), std::max(0.0F, value.g), std::max(0.0F, value.b)};
   }
 
@@ -144,7 +191,9 @@ MethodEntry meshless_entry() {
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Meshless>(settings_from(parameters));
           },
-          {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "64"}, {"coarsest_rays", "128"}}};
+          {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "64"}, {"coarsest_rays", "128"}},
+          {},
+          presets()};
 }
 
 }  // namespace gibench

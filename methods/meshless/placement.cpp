@@ -1,5 +1,8 @@
 #include "methods/meshless/placement.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "common/core/random.h"
@@ -37,6 +40,8 @@ std::vector<std::vector<SurfaceSide>> sides_of_groups(const World& world, const 
 /// The samplers of all groups, thrown level by level.
 class GroupSamplers {
  public:
+  GroupSamplers(const GroupSamplers&) = delete;  // its tests know where it is
+  GroupSamplers& operator=(const GroupSamplers&) = delete;
   GroupSamplers(const World& world, const std::vector<std::vector<SurfaceSide>>& sides, const Settings& settings, Task& task) {
     for (std::size_t group = 0; group < sides.size(); ++group) {
       PoissonDiscOptions options;
@@ -45,8 +50,9 @@ class GroupSamplers {
       options.failures = settings.failures;
       options.cancelled = [&task] { return task.cancelled(); };
       if (settings.backface_test)
-        options.test = [&world, &settings, &task](std::span<const DiscPoint> points, std::span<std::uint8_t> clear) {
+        options.test = [this, &world, &settings, &task](std::span<const DiscPoint> points, std::span<std::uint8_t> clear) {
           clear_of_backfaces(world, points, clear, std::min(settings.backface_rays, most_placement_rays), task);
+          inside_ += static_cast<std::uint64_t>(std::count(clear.begin(), clear.end(), 0));
         };
       samplers_.emplace_back(world, sides[group], options);
       area_ += samplers_.back().area();
@@ -59,6 +65,7 @@ class GroupSamplers {
     return level;
   }
   double area() const { return area_; }
+  std::uint64_t inside() const { return inside_; }
   std::uint64_t proposals() const {
     std::uint64_t sum = 0;
     for (const PoissonDisc& sampler : samplers_) sum += sampler.proposals();
@@ -68,6 +75,7 @@ class GroupSamplers {
  private:
   std::vector<PoissonDisc> samplers_;
   double area_ = 0.0;
+  std::uint64_t inside_ = 0;
 };
 
 std::size_t count_of(const std::vector<std::vector<DiscPoint>>& level) {
@@ -76,18 +84,42 @@ std::size_t count_of(const std::vector<std::vector<DiscPoint>>& level) {
   return count;
 }
 
-/// The initial radius: as set, or such that about the wanted number of coarsest samples results.
+/// A first guess at the initial radius: as set, or by the area.
+double guessed_radius(const World& world, double area, const Settings& settings) {
+  if (settings.initial_radius > 0.0) return settings.initial_radius * static_cast<double>(world.diagonal());
+  return std::sqrt(expected_density * area / settings.coarsest_samples);
+}
+
+/// As guessed, or such that about the wanted number of coarsest samples results.
 double initial_radius(const World& world, const std::vector<std::vector<SurfaceSide>>& sides, const Settings& settings,
                       Task& task) {
-  if (settings.initial_radius > 0.0) return settings.initial_radius * static_cast<double>(world.diagonal());
+  double radius = guessed_radius(world, world.total_area(), settings);
+  if (settings.initial_radius > 0.0) return radius;
   const double wanted = settings.coarsest_samples;
-  double radius = std::sqrt(expected_density * world.total_area() / wanted);
   for (int round = 0; round < radius_rounds && !task.cancelled(); ++round) {
     const auto placed = static_cast<double>(count_of(GroupSamplers(world, sides, settings, task).add_level(radius)));
     if (placed < 1.0 || std::fabs(placed - wanted) <= radius_tolerance * wanted) break;
     radius *= std::sqrt(placed / wanted);
   }
   return radius;
+}
+
+/// Empty where the points of all levels that the settings ask for are not too many.
+std::string refusal_of(const World& world, double area, const Settings& settings) {
+  const double finest = std::ldexp(guessed_radius(world, area, settings), 1 - settings.levels);
+  const double points = expected_density * area / (finest * finest);
+  if (points <= most_points) return {};
+  return fmt::format("levels={} with {} asks for about {:.2g} points, {:.2g} at most: lower levels, or {}", settings.levels,
+                     settings.initial_radius > 0.0 ? fmt::format("initial_radius={}", settings.initial_radius)
+                                                   : fmt::format("coarsest_samples={}", settings.coarsest_samples),
+                     points, most_points, settings.initial_radius > 0.0 ? "raise initial_radius" : "coarsest_samples");
+}
+
+double area_of(const World& world, const std::vector<std::vector<SurfaceSide>>& sides) {
+  double area = 0.0;
+  for (const std::vector<SurfaceSide>& group : sides)
+    for (const SurfaceSide& side : group) area += static_cast<double>(world.area(side.triangle));
+  return area;
 }
 
 }  // namespace
@@ -118,6 +150,8 @@ void clear_of_backfaces(const World& world, std::span<const DiscPoint> points, s
 Placement place_points(const World& world, const Groups& groups, const Settings& settings, Task& task) {
   const std::vector<std::vector<SurfaceSide>> sides = sides_of_groups(world, groups);
   Placement placement;
+  placement.refusal = refusal_of(world, area_of(world, sides), settings);
+  if (!placement.refusal.empty()) return placement;
   placement.radius = initial_radius(world, sides, settings, task);
   GroupSamplers samplers(world, sides, settings, task);
   double radius = placement.radius;
@@ -126,6 +160,7 @@ Placement place_points(const World& world, const Groups& groups, const Settings&
     task.progress("place points", 0.7 * (level + 1) / settings.levels);
   }
   placement.proposals = samplers.proposals();
+  placement.inside = samplers.inside();
   return placement;
 }
 

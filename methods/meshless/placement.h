@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "common/geometry/poisson_disc.h"
@@ -22,7 +23,12 @@ struct Placement {
   std::vector<std::vector<std::vector<DiscPoint>>> points;  ///< by level, by group
   double radius = 0.0;                                      ///< of level 0, metres
   std::uint64_t proposals = 0;
+  std::uint64_t inside = 0;  ///< proposals that were taken for points inside geometry
+  std::string refusal;       ///< why nothing was placed: the settings ask for more points than there may be
 };
+
+/// Points of all levels, at most, as foreseen.
+inline constexpr double most_points = 32e6;
 
 /// Places every level of every group; incomplete where the task was cancelled.
 Placement place_points(const World& world, const Groups& groups, const Settings& settings, Task& task);

@@ -68,13 +68,21 @@ class Refinement {
 
   /// The functions to compute next, parents included, on behalf of the newly computed points.
   std::vector<std::uint32_t> refine(const std::vector<std::uint32_t>& computed) {
-    std::vector<std::uint32_t> wanted = mark(search(computed, [this](std::uint32_t point, std::vector<std::uint32_t>& found) {
-      if (needs_refinement(point)) find_children(point, found);
-    }));
+    std::vector<std::uint32_t> undecided;
+    std::vector<std::uint32_t> wanted = mark(search(
+        computed,
+        [this](std::uint32_t point, std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& open) {
+          const Detail detail = detail_at(point);
+          if (detail == Detail::found) find_children(point, found);
+          if (detail == Detail::undecided && point < hierarchy_.level_begin(hierarchy_.levels() - 1)) open.push_back(point);
+        },
+        &undecided));
+    undecided_ += undecided.size();
     std::vector<std::uint32_t> parents = wanted;
     while (!parents.empty()) {
-      parents =
-          mark(search(parents, [this](std::uint32_t point, std::vector<std::uint32_t>& found) { find_parents(point, found); }));
+      parents = mark(search(parents, [this](std::uint32_t point, std::vector<std::uint32_t>& found, std::vector<std::uint32_t>&) {
+        find_parents(point, found);
+      }));
       wanted.insert(wanted.end(), parents.begin(), parents.end());
     }
     std::sort(wanted.begin(), wanted.end());
@@ -83,20 +91,24 @@ class Refinement {
 
   /// The coefficients, fitted anew once all points are known where the order of their coming left its mark.
   Coefficients finish() {
+    task_.count("undecided_samples", undecided_);
     return rule_.corrections > 0 ? fit(point_values_, rule_.corrections, task_) : std::move(coefficients_);
   }
 
  private:
-  using Search = std::function<void(std::uint32_t point, std::vector<std::uint32_t>& found)>;
+  using Points = std::vector<std::uint32_t>;
+  using Search = std::function<void(std::uint32_t point, Points& found, Points& open)>;
 
-  /// Runs a search for every point on all threads; what was found, in the order of the points.
-  std::vector<std::uint32_t> search(const std::vector<std::uint32_t>& points, const Search& visit) {
-    std::vector<std::vector<std::uint32_t>> found(chunk_count(points.size(), search_chunk));
+  /// Runs a search for every point on all threads; what was found, in the order of the points, and what was left open.
+  Points search(const Points& points, const Search& visit, Points* left_open = nullptr) {
+    std::vector<Points> found(chunk_count(points.size(), search_chunk)), open(found.size());
     task_.parallel_chunks(points.size(), search_chunk, [&](const ChunkRange& range) {
-      for (std::size_t i = range.begin; i < range.end; ++i) visit(points[i], found[range.chunk]);
+      for (std::size_t i = range.begin; i < range.end; ++i) visit(points[i], found[range.chunk], open[range.chunk]);
     });
-    std::vector<std::uint32_t> all;
-    for (const std::vector<std::uint32_t>& some : found) all.insert(all.end(), some.begin(), some.end());
+    Points all;
+    for (const Points& some : found) all.insert(all.end(), some.begin(), some.end());
+    if (left_open)
+      for (const Points& some : open) left_open->insert(left_open->end(), some.begin(), some.end());
     return all;
   }
 
@@ -111,17 +123,24 @@ class Refinement {
     return fresh;
   }
 
-  bool needs_refinement(std::uint32_t point) const {
-    if (point >= hierarchy_.level_begin(1)) return is_detail(coefficients_[point], deviation_[point]);
-    bool varies = false;
+  /// What RECEIVER-ORACLE says of a difference.
+  enum class Detail { none, undecided, found };
+
+  /// Of all that it is compared with, the most that is said.
+  Detail detail_at(std::uint32_t point) const {
+    if (point >= hierarchy_.level_begin(1)) return detail_of(coefficients_[point], deviation_[point]);
+    Detail most = Detail::none;
     hierarchy_.visit_covering(0, hierarchy_.place(point), [&](std::uint32_t other, float) {
-      varies = varies || is_detail(point_values_[point] - point_values_[other], std::hypot(deviation_[point], deviation_[other]));
+      most = std::max(most,
+                      detail_of(point_values_[point] - point_values_[other], std::hypot(deviation_[point], deviation_[other])));
     });
-    return varies;
+    return most;
   }
 
-  bool is_detail(const Rgb& difference, float deviation) const {
-    return largest_magnitude(difference) > std::max(threshold_, static_cast<float>(rule_.noise_guard) * deviation);
+  Detail detail_of(const Rgb& difference, float deviation) const {
+    const float size = largest_magnitude(difference);
+    if (!(size > threshold_)) return Detail::none;
+    return size > static_cast<float>(rule_.noise_guard) * deviation ? Detail::found : Detail::undecided;
   }
 
   void find_children(std::uint32_t point, std::vector<std::uint32_t>& found) const {
@@ -151,15 +170,17 @@ class Refinement {
   std::vector<std::uint8_t> asked_;  ///< computed or about to be
   std::vector<float> deviation_;     ///< of the estimates at the computed points, W/m²
   float threshold_ = 0.0F;           ///< W/m²
+  std::uint64_t undecided_ = 0;      ///< points whose differences noise may have made
 };
 
 }  // namespace
 
 RgbDouble coarsest_mean(const Coefficients& coefficients) {
-  const std::uint32_t count = coefficients.hierarchy().level_size(0);
+  const Hierarchy& hierarchy = coefficients.hierarchy();
   RgbDouble sum;
-  for (std::uint32_t point = 0; point < count; ++point) sum += RgbDouble(coefficients[point]);
-  return count > 0 ? sum / static_cast<double>(count) : sum;
+  for (std::uint32_t point = 0; point < hierarchy.level_size(0); ++point)
+    sum += hierarchy.coarsest_share(point) * RgbDouble(coefficients[point]);
+  return sum;
 }
 
 Coefficients approximate(const Hierarchy& hierarchy, const PointValues& values, const RefinementRule& rule, Task& task) {

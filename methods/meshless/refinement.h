@@ -18,7 +18,7 @@ using PointValues = std::function<void(std::span<const std::uint32_t> points, st
 
 struct RefinementRule {
   double epsilon_e = 0.0;        ///< share of the reference value
-  double noise_guard = 0.0;      ///< deviations that a difference must exceed to count as detail
+  double noise_guard = 0.0;      ///< deviations that a difference must exceed, too, to count as detail
   int corrections = 0;           ///< see fit.h
   std::uint32_t full_level = 0;  ///< levels up to this one are computed wholly
   double solution_mean = 0.0;    ///< mean over the coarsest samples of what was accumulated before, W/m²
@@ -31,13 +31,15 @@ struct RefinementRule {
 /// first. RECEIVER-ORACLE: a coarsest function is refined where its value differs from that of another one which
 /// covers its point by more than epsilon_e times the reference, a finer one where its coefficient is larger than
 /// that in magnitude, the largest channel deciding; and by more than noise_guard deviations of the estimates (an
-/// addition: the paper's oracle would chase the noise of its gathers to the finest level). The reference is the mean
-/// irradiance, over the coarsest samples and the channels, that the whole series is foreseen to come to: solution_mean
-/// and this term, and the terms left where they fade as this one did. Refining computes the functions of the next
-/// level that cover the point and, before them, every coarser one that covers theirs (their parents).
+/// addition: the paper's oracle would chase the noise of its gathers to the finest level). Functions whose difference is over
+/// epsilon_e, but not over the noise, are not refined; the task counts them as `undecided_samples`: there it is the noise of the
+/// estimates, not epsilon_e, that bounds the error. The reference is the mean irradiance, over the surfaces and the channels,
+/// that the whole series is foreseen to come to: solution_mean and this term, and the terms left where they fade as this one did.
+/// Refining computes the functions of the next level that cover the point and, before them, every coarser one that covers theirs
+/// (their parents).
 Coefficients approximate(const Hierarchy& hierarchy, const PointValues& values, const RefinementRule& rule, Task& task);
 
-/// Mean over the coarsest samples, which lie uniformly by area.
+/// Mean over the surfaces' area, each of the coarsest samples for its share of it.
 RgbDouble coarsest_mean(const Coefficients& coefficients);
 
 constexpr double channel_mean(const RgbDouble& value) { return (value.r + value.g + value.b) / 3.0; }

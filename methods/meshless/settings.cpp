@@ -9,7 +9,7 @@ namespace {
 const ParameterTable<Settings>& table() {
   constexpr double largest = 1e6;
   static const ParameterTable<Settings> made{
-      parameter("levels", &Settings::levels, 1, 12, "levels of the point hierarchy; each halves the disc radius"),
+      parameter("levels", &Settings::levels, 1, most_levels, "levels of the point hierarchy; each halves the disc radius"),
       parameter("coarsest_samples", &Settings::coarsest_samples, 1, largest,
                 "samples wanted on the coarsest level; sets the initial radius"),
       parameter("initial_radius", &Settings::initial_radius, 0.0, 1.0,
@@ -21,7 +21,7 @@ const ParameterTable<Settings>& table() {
                 "rays that must all meet backs for a point to count as inside; 1: the paper's test"),
       parameter("groups", &Settings::grouping,
                 {{"objects", Grouping::objects}, {"components", Grouping::components}, {"automatic", Grouping::automatic}},
-                "reconstruction groups: as the scene says, also by connected component, or that where the components are few"),
+                "reconstruction groups: as the scene says, also by connected component, or so for the largest components only"),
       parameter("neighbours", &Settings::neighbours, 1, most_neighbours,
                 "k: a basis function reaches its k-th nearest neighbour"),
       parameter("radius_limit", &Settings::radius_limit, 1.0, largest,
@@ -50,6 +50,9 @@ const ParameterTable<Settings>& table() {
                 "light samples at a hit of a first gather; more where direct light is noisy"),
       parameter("basis_direct_samples", &Settings::basis_direct_samples, 1, 65536,
                 "light samples at a basis point, for direct light in the basis; more where it is noisy"),
+      parameter(
+          "direct_full_level", &Settings::direct_full_level, 0, most_levels - 1,
+          "direct light in the basis is computed wholly on levels up to this one, refined on others; 0: the paper's oracle"),
   };
   return made;
 }
@@ -57,6 +60,28 @@ const ParameterTable<Settings>& table() {
 }  // namespace
 
 ParameterSchema settings_schema() { return table().schema(); }
+
+std::vector<Preset> presets() {
+  return {{"paper",
+           "the text's algorithm with the constants of its Cornell box: light in the basis, no guards, no corrections",
+           {{"levels", "6"},
+            {"coarsest_samples", "310"},
+            {"failures", "1000"},
+            {"backface_rays", "1"},
+            {"groups", "objects"},
+            {"neighbours", "10"},
+            {"radius_limit", "1000000"},
+            {"corrections", "0"},
+            {"rays", "512"},
+            {"coarsest_rays", "512"},
+            {"epsilon_E", "0.01"},
+            {"epsilon_Omega", "0.3141592653589793"},
+            {"noise_guard", "0"},
+            {"extrapolate", "false"},
+            {"first_bounce", "basis"},
+            {"direct", "basis"},
+            {"direct_full_level", "0"}}}};
+}
 
 Settings settings_from(const Parameters& parameters) { return table().read(parameters); }
 

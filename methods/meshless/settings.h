@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/method/parameters.h"
+#include "common/method/presets.h"
 
 namespace gibench::meshless {
 
@@ -9,7 +10,7 @@ namespace gibench::meshless {
 enum class Grouping {
   objects,     ///< Object::group alone (the paper)
   components,  ///< its connected components, too
-  automatic,   ///< the components where they are few
+  automatic,   ///< the largest components, and what is left of every object
 };
 /// What the gathers of the first bounce see at their hits: direct light evaluated there, or from the basis. `automatic`
 /// takes the former where its noise is small enough.
@@ -17,7 +18,7 @@ enum class FirstBounce { automatic, exact, basis };
 /// Who answers for direct light.
 enum class DirectAnswer { shared, basis };
 
-inline constexpr int most_neighbours = 64;
+inline constexpr int most_neighbours = 64, most_levels = 12;
 
 /// Each member is initialised with the default of its parameter.
 struct Settings {
@@ -46,9 +47,11 @@ struct Settings {
   DirectAnswer direct = DirectAnswer::shared;
   int direct_samples = 1;         ///< light samples at a hit, at least
   int basis_direct_samples = 16;  ///< light samples at a basis point, at least
+  int direct_full_level = 2;  ///< levels up to this one hold direct light wholly: small lights and shadows must not slip through
 };
 
 ParameterSchema settings_schema();
+std::vector<Preset> presets();
 Settings settings_from(const Parameters& parameters);
 
 }  // namespace gibench::meshless

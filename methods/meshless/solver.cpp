@@ -18,22 +18,21 @@ namespace {
 
 constexpr std::uint64_t gather_stage = 0x676174686572ULL;
 constexpr std::uint64_t direct_stage = 0x64697265637473ULL;
-constexpr std::uint32_t direct_full_level = 2;  // small lights and shadows must not slip between the coarsest samples
-constexpr std::size_t gather_chunk = 4;         // points
-constexpr std::size_t direct_chunk = 64;        // points
-constexpr double gather_noise = 0.03;           // that direct light evaluated at the hits may bring into a gather, of the mean
-constexpr double most_hit_samples = 4.0;        // at a hit, to keep to that; noisier direct light goes through the basis …
-constexpr double point_noise = 0.3;             // … with this much noise at a basis point: a gather sees hundreds of them
+constexpr std::size_t gather_chunk = 4;   // points
+constexpr std::size_t direct_chunk = 64;  // points
+constexpr double gather_noise = 0.03;     // that direct light evaluated at the hits may bring into a gather, of the mean
+constexpr double most_hit_samples = 4.0;  // at a hit, to keep to that; noisier direct light goes through the basis …
+constexpr double point_noise = 0.3;       // … with this much noise at a basis point: a gather sees hundreds of them
 constexpr double most_point_samples = 1024.0;
 
 RgbDouble magnitude_mean(const Coefficients& coefficients) {
-  const std::uint32_t count = coefficients.hierarchy().level_size(0);
+  const Hierarchy& hierarchy = coefficients.hierarchy();
   RgbDouble sum;
-  for (std::uint32_t point = 0; point < count; ++point) {
+  for (std::uint32_t point = 0; point < hierarchy.level_size(0); ++point) {
     const Rgb value = coefficients[point];
-    sum += RgbDouble(std::fabs(value.r), std::fabs(value.g), std::fabs(value.b));
+    sum += hierarchy.coarsest_share(point) * RgbDouble(std::fabs(value.r), std::fabs(value.g), std::fabs(value.b));
   }
-  return count > 0 ? sum / static_cast<double>(count) : sum;
+  return sum;
 }
 
 /// How far the series has come, from the last two bounces, channel by channel.
@@ -54,11 +53,12 @@ Convergence judge(const Coefficients& last, const Coefficients& before, const Co
     const double factor = ratio / share_lost(ratio);
     double departure = 0.0;
     for (std::uint32_t point = 0; point < count; ++point)
-      departure += std::fabs(static_cast<double>(last[point][channel]) - ratio * static_cast<double>(before[point][channel]));
+      departure += last.hierarchy().coarsest_share(point) *
+                   std::fabs(static_cast<double>(last[point][channel]) - ratio * static_cast<double>(before[point][channel]));
     result.ratio[channel] = ratio;
     result.tail_factor[channel] = factor;
     result.residual = std::max(result.residual, last_mean[channel] * factor / total[channel]);
-    result.departure = std::max(result.departure, departure / count * factor / total[channel]);
+    result.departure = std::max(result.departure, departure * factor / total[channel]);
   }
   return result;
 }
@@ -85,11 +85,11 @@ class Solver {
       sample_direct(points, out);
     };
     RefinementRule rule = rule_of(0.0);
-    rule.full_level = direct_full_level;
+    rule.full_level = static_cast<std::uint32_t>(settings_.direct_full_level);
     return approximate(transport_.hierarchy, values, rule, task_);
   }
 
-  /// Mean direct irradiance over the coarsest samples and the channels, W/m².
+  /// Mean direct irradiance over the surfaces and the channels, W/m².
   double direct_mean() const { return direct_mean_; }
 
   /// Bounce `number`, of at most `bound`; the means are those of the bounces before it and of the one just before.
@@ -118,10 +118,12 @@ class Solver {
     std::vector<Estimate> values(points.size());
     sample_direct(points, values);
     double largest_mean = 0.0, variance = 0.0;
-    for (const Estimate& estimate : values) {
-      direct_mean_ += channel_mean(RgbDouble(estimate.value)) / static_cast<double>(points.size());
-      largest_mean += static_cast<double>(largest(estimate.value)) / static_cast<double>(points.size());
-      variance += std::pow(static_cast<double>(estimate.deviation), 2) / static_cast<double>(points.size());
+    for (const std::uint32_t point : points) {
+      const Estimate& estimate = values[point];
+      const double share = transport_.hierarchy.coarsest_share(point);
+      direct_mean_ += share * channel_mean(RgbDouble(estimate.value));
+      largest_mean += share * static_cast<double>(largest(estimate.value));
+      variance += share * std::pow(static_cast<double>(estimate.deviation), 2);
     }
     const double relative_variance = largest_mean > 0.0 ? variance * point_samples_ / (largest_mean * largest_mean) : 0.0;
     const double at_hits = relative_variance / (settings_.rays * gather_noise * gather_noise);
@@ -150,7 +152,8 @@ class Solver {
   }
 
   void gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Estimate> out) {
-    std::vector<std::uint64_t> levels(chunk_count(points.size(), gather_chunk)), evaluations(levels.size());
+    std::vector<std::uint64_t> levels(chunk_count(points.size(), gather_chunk)), evaluations(levels.size()),
+        uncovered(levels.size());
     task_.parallel_chunks(points.size(), gather_chunk, [&](const ChunkRange& range) {
       RayStream rays = task_.rays(world_);
       GatherBuffers buffers;
@@ -159,12 +162,14 @@ class Solver {
         const Gatherer& gatherer = points[i] < transport_.hierarchy.level_begin(1) ? coarsest_gatherer_ : gatherer_;
         out[i] = gatherer.irradiance(sample(points[i]), key, sender, rays, buffers);
       }
-      levels[range.chunk] = buffers.levels_used;
+      levels[range.chunk] = buffers.counts.levels_used;
       evaluations[range.chunk] = buffers.evaluations;
+      uncovered[range.chunk] = buffers.counts.uncovered;
     });
     task_.count("samples_gathered", points.size());
     for (std::uint64_t count : levels) task_.count("sender_levels", count);
     for (std::uint64_t count : evaluations) task_.count("sender_evaluations", count);
+    for (std::uint64_t count : uncovered) task_.count("uncovered_hits", count);
   }
 
   void sample_direct(std::span<const std::uint32_t> points, std::span<Estimate> out) {

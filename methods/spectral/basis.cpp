@@ -61,6 +61,12 @@ std::uint32_t SpectralBasis::width_for(std::uint32_t functions) {
   return static_cast<std::uint32_t>(chunk_count(functions, lane_count) * lane_count);
 }
 
+std::uint64_t SpectralBasis::columns_for(std::span<const std::uint32_t> functions) {
+  std::uint64_t columns = 0;
+  for (const std::uint32_t count : functions) columns += width_for(count);
+  return columns;
+}
+
 std::uint32_t SpectralBasis::functions() const {
   return std::accumulate(parts_.begin(), parts_.end(), 0U,
                          [](std::uint32_t sum, const Part& part) { return sum + part.functions; });

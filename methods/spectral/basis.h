@@ -29,6 +29,8 @@ class SpectralBasis {
 
   /// Columns that a part with so many functions has.
   static std::uint32_t width_for(std::uint32_t functions);
+  /// Columns of all parts with so many functions each.
+  static std::uint64_t columns_for(std::span<const std::uint32_t> functions);
   /// The functions at a slot, to be written, and the slot's weight.
   std::span<float> row_to_fill(const Part& part, std::uint32_t slot) {
     return std::span(values_).subspan(row_begin(part, slot), part.width);

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::uint64_t most_columns = 65536;  // columns are numbered in 16 bits
 
-std::uint64_t columns_for(const std::vector<std::uint32_t>& functions) {
-  std::uint64_t columns = 0;
-  for (const std::uint32_t count : functions) columns += SpectralBasis::width_for(count);
-  return columns;
-}
-
 std::string too_many_columns(const Partition& partition, std::uint64_t columns) {
   return fmt::format(
       "{} parts need {} columns where there may be {}; lower basis_functions, or join the scene's loose "
@@ -65,7 +59,7 @@ std::optional<Found> fill_part(const SurfaceGraph& graph, const Partition& parti
 BasisMaking make_basis(const SurfaceGraph& graph, const Partition& partition, const std::vector<std::uint32_t>& functions,
                        Laplacian kind, Task& task) {
   BasisMaking making;
-  if (const std::uint64_t columns = columns_for(functions); columns > most_columns) {
+  if (const std::uint64_t columns = SpectralBasis::columns_for(functions); columns > most_columns) {
     making.failure = too_many_columns(partition, columns);
     return making;
   }

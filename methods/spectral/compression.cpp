@@ -7,7 +7,6 @@ namespace gibench::spectral {
 
 namespace {
 
-constexpr std::size_t most_pilots = 64;  // blocks
 constexpr int halvings = 20;
 constexpr double lowest_threshold = 1e-8;  // of the one that leaves out everything
 constexpr double least_spread = 1e-3;      // of the largest: no function is taken to carry nothing
@@ -121,8 +120,8 @@ double threshold_that_drops_all(std::span<const PilotBlock> pilots, const std::v
 
 }  // namespace
 
-std::vector<std::size_t> pilot_blocks(std::size_t blocks) {
-  const std::size_t count = std::min(most_pilots, blocks);
+std::vector<std::size_t> pilot_blocks(std::size_t blocks, std::size_t most) {
+  const std::size_t count = std::min(most, blocks);
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < count; ++i) chosen.push_back((2 * i + 1) * blocks / (2 * count));
   return chosen;
@@ -130,7 +129,7 @@ std::vector<std::size_t> pilot_blocks(std::size_t blocks) {
 
 Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
                              double error, Task& task) {
-  Truncation truncation{spread_of_columns(basis, lights.usual), 0.0F};
+  Truncation truncation{spread_of_columns(basis, lights.usual), 0.0F, false};
   const Trial trial(pilots, lights.judges, basis.constant(), task);
   double high = threshold_that_drops_all(pilots, truncation.importance), low = high * lowest_threshold;
   for (int i = 0; i < halvings && !task.cancelled(); ++i) {
@@ -140,6 +139,15 @@ Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& ligh
   }
   truncation.threshold = static_cast<float>(low);
   return truncation;
+}
+
+Truncation truncation_for(const CompressionWish& wish, const SpectralBasis& basis,
+                          const std::function<std::vector<PilotBlock>()>& pilots, Task& task) {
+  if (wish.kind == Compression::rounding) return {std::vector<float>(basis.columns(), 1.0F), 0.0F, true};
+  if (!wish.judged()) return {};
+  const std::vector<PilotBlock> made = pilots();
+  if (task.cancelled()) return {};
+  return choose_truncation(basis, wish.lights, made, wish.error, task);
 }
 
 }  // namespace gibench::spectral

@@ -1,10 +1,12 @@
 /// The threshold below which the transfer matrix is truncated, chosen by the effect on trial lights.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "methods/spectral/basis.h"
+#include "methods/spectral/settings.h"
 #include "methods/spectral/transfer_matrix.h"
 #include "methods/spectral/trial_lights.h"
 
@@ -17,8 +19,8 @@ struct PilotBlock {
   std::vector<double> areas;     ///< that the rows stand for, m²
 };
 
-/// The numbers of the blocks among `blocks` that are to be pilots, spread evenly.
-std::vector<std::size_t> pilot_blocks(std::size_t blocks);
+/// The numbers of the blocks among `blocks` that are to be pilots, `most` at most, spread evenly.
+std::vector<std::size_t> pilot_blocks(std::size_t blocks, std::size_t most = 64);
 
 /// The truncation that changes the pilots' answers by `error` as a share of them: root of the mean over lights of the mean square
 /// over area. Judged by what it does to the truth: columns are those that the pilots' rows keep, and the mean square change of
@@ -27,5 +29,19 @@ std::vector<std::size_t> pilot_blocks(std::size_t blocks);
 /// their parts, or their own where that is more, so that what is left out counts the same wherever it is.
 Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
                              double error, Task& task);
+
+/// How the matrices of a transfer are compressed.
+struct CompressionWish {
+  Compression kind = Compression::judged;
+  double error = 0.0;  ///< 0 in kind `judged`: nothing is left out
+  TrialLights lights;  ///< that judge, where they are asked for
+
+  bool judged() const { return kind == Compression::judged && error > 0.0; }
+};
+
+/// As wished; `pilots` are made only where the truncation is judged by them. Nothing is left out of the matrices of a run that is
+/// cancelled, whose pilots may have no rows.
+Truncation truncation_for(const CompressionWish& wish, const SpectralBasis& basis,
+                          const std::function<std::vector<PilotBlock>()>& pilots, Task& task);
 
 }  // namespace gibench::spectral

@@ -85,6 +85,10 @@ Vec3 Interpolation::site(const SamplingMesh& mesh, std::uint32_t triangle, std::
   return mesh.sites(vertex).size() == 1 ? sites_[vertex] + up : own;
 }
 
+std::size_t Interpolation::torn_triangles() const {
+  return static_cast<std::size_t>(std::count_if(cut_edges_.begin(), cut_edges_.end(), [](std::uint8_t cut) { return cut != 0; }));
+}
+
 MeshPoint Interpolation::seen(const World& world, const SamplingMesh& mesh, MeshPoint point, const Vec3& position,
                               RayStream& rays) const {
   if (!torn(point.triangle)) return point;

@@ -25,6 +25,7 @@ class Interpolation {
   bool edge_cut(std::uint32_t triangle, std::uint32_t i) const { return ((cut_edges_[triangle] >> i) & 1U) != 0; }
   /// Whether some of its points may not see all its corners' sites.
   bool torn(std::uint32_t triangle) const { return cut_edges_[triangle] != 0; }
+  std::size_t torn_triangles() const;
   /// The point with only the corners whose sites it sees, weights again with sum 1; as it was where it sees none.
   MeshPoint seen(const World& world, const SamplingMesh& mesh, MeshPoint point, const Vec3& position, RayStream& rays) const;
 

@@ -9,7 +9,7 @@ namespace gibench::spectral {
 
 namespace {
 
-constexpr std::size_t slot_chunk = 4096;
+constexpr std::size_t slot_chunk = 4096, row_chunk = 32;
 
 /// Root mean squares over slots.
 struct Change {
@@ -53,6 +53,22 @@ class Frame {
       by_channel[channel].multiply(light, other, task_);
       for (std::size_t i = 0; i < out.size(); ++i) (channel == 1 ? out[i].g : out[i].b) = channel == 1 ? other[i].g : other[i].b;
     }
+  }
+
+  /// G times the light that leaves the surfaces straight from the lights: that of all bounces, as projected() left it.
+  std::vector<Rgb4> folded(const std::vector<std::vector<float>>& by_channel) const {
+    std::vector<Rgb4> sum(light_.size());
+    task_.parallel_chunks(sum.size(), row_chunk, [&](const ChunkRange& range) {
+      for (std::size_t row = range.begin; row < range.end; ++row)
+        for (int channel = 0; channel < 3; ++channel) {
+          const std::vector<float>& matrix = by_channel[std::min(static_cast<std::size_t>(channel), by_channel.size() - 1)];
+          double value = 0.0;
+          for (std::size_t c = 0; c < light_.size(); ++c)
+            value += static_cast<double>(matrix[row * light_.size() + c]) * static_cast<double>(Rgb(light_[c])[channel]);
+          (channel == 0 ? sum[row].r : channel == 1 ? sum[row].g : sum[row].b) = static_cast<float>(value);
+        }
+    });
+    return sum;
   }
 
   void gather_harmonics(const std::vector<Rgb4>& light, Relit& relit) const {
@@ -104,7 +120,7 @@ Relit relight(const Transfer& transfer, std::span<const Rgb4> direct, std::span<
   if (!transfer.all_bounces.empty()) {
     frame.multiply(transfer.all_bounces, frame.projected(relit.irradiance), relit.irradiance);
     relit.bounces = bound.planned.value_or(bound.most);
-    if (harmonics) frame.gather_harmonics(frame.projected(relit.irradiance), relit);
+    if (harmonics) frame.gather_harmonics(frame.folded(transfer.all_light), relit);
     return relit;
   }
   bounce(transfer, bound, frame, relit, task);

@@ -20,6 +20,9 @@ const ParameterTable<Settings>& table() {
       parameter("mode", &Settings::mode, {{"bounces", Mode::bounces}, {"fixed_albedo", Mode::fixed_albedo}},
                 "one bounce in the matrix, albedos free; or all bounces in it (T*), albedos as prepared"),
       parameter("rays", &Settings::rays, 1, 1 << 20, "rays of a vertex"),
+      parameter(
+          "compression", &Settings::compression, {{"judged", Compression::judged}, {"rounding", Compression::rounding}},
+          "16 bits a coefficient: truncated as far as compression_error lets it, or what rounds to zero dropped (the paper)"),
       parameter("compression_error", &Settings::compression_error, 0.0, 1.0,
                 "share of the indirect light that 16-bit quantisation and truncation may add; 0: 32 bits, nothing dropped"),
       parameter("bounces", &Settings::bounces, 1, 100000, "most bounces that are computed"),
@@ -37,6 +40,17 @@ const ParameterTable<Settings>& table() {
 }  // namespace
 
 ParameterSchema settings_schema() { return table().schema(); }
+
+std::vector<Preset> presets() {
+  return {{"paper",
+           "the text's algorithm and constants: plain graph Laplacian, 16 bits that round small values away, 128 x 128 rays",
+           {{"laplacian", "graph"},
+            {"vertices", "30000"},
+            {"part_vertices", "1000"},
+            {"basis_functions", "1024"},
+            {"rays", "16384"},
+            {"compression", "rounding"}}}};
+}
 
 Settings settings_from(const Parameters& parameters) { return table().read(parameters); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/method/parameters.h"
+#include "common/method/presets.h"
 
 namespace gibench::spectral {
 
@@ -14,6 +15,11 @@ enum class Laplacian {
 enum class Mode {
   bounces,       ///< T^s: one bounce; the albedos enter at run time
   fixed_albedo,  ///< T*: all bounces, with the albedos as they were at prepare()
+};
+/// What 16 bits leave out of the matrices.
+enum class Compression {
+  judged,    ///< what changes the answers to trial lights by no more than compression_error
+  rounding,  ///< the paper's: what rounds to zero
 };
 enum class DirectAnswer {
   shared,  ///< by the shared evaluator
@@ -31,8 +37,9 @@ struct Settings {
   Laplacian laplacian = Laplacian::cotan;
   // Transfer (section 3.2).
   Mode mode = Mode::bounces;
-  int rays = 1024;                  ///< of a vertex
-  double compression_error = 0.01;  ///< share of the indirect light that compression may add; 0: 32-bit, nothing dropped
+  int rays = 1024;  ///< of a vertex
+  Compression compression = Compression::judged;
+  double compression_error = 0.01;  ///< share of the indirect light that judged compression may add; 0: 32-bit, nothing dropped
   // Relighting.
   int bounces = 1000;      ///< most bounces computed
   double residual = 1e-3;  ///< share of the solution that the bounces left out may hold
@@ -42,6 +49,7 @@ struct Settings {
 };
 
 ParameterSchema settings_schema();
+std::vector<Preset> presets();
 Settings settings_from(const Parameters& parameters);
 
 }  // namespace gibench::spectral

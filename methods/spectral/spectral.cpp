@@ -17,6 +17,21 @@ using namespace spectral;
 
 constexpr std::size_t shade_chunk = 256;  // samples
 
+/// Samples at which the answer is not simply the basis between three vertices.
+struct Exceptions {
+  std::uint64_t clamped = 0;    ///< light below zero, answered as zero
+  std::uint64_t uncovered = 0;  ///< no mesh triangle lies there: answered as zero
+  std::uint64_t cut = 0;        ///< another surface cuts the mesh triangle: some corners were left out
+};
+
+void count(const std::vector<Exceptions>& chunks, Task& task) {
+  Exceptions all;
+  for (const Exceptions& chunk : chunks) all.clamped += chunk.clamped, all.uncovered += chunk.uncovered, all.cut += chunk.cut;
+  task.count("clamped_samples", all.clamped);
+  task.count("uncovered_samples", all.uncovered);
+  task.count("cut_samples", all.cut);
+}
+
 class Spectral : public TransportMethod {
  public:
   explicit Spectral(const Settings& settings) : settings_(settings) {}
@@ -112,20 +127,27 @@ class Spectral : public TransportMethod {
   }
 
   void shade(const ShadeRequest& request, const ShadeAnswer& answer, Task& task, StageReport&) const override {
+    std::vector<Exceptions> exceptions(chunk_count(request.samples.size(), shade_chunk));
     task.parallel_chunks(request.samples.size(), shade_chunk, [&](const ChunkRange& range) {
       RayStream rays = task.rays(*world_);
+      Exceptions& met = exceptions[range.chunk];
       for (std::size_t i = range.begin; i < range.end; ++i) {
         const SurfaceSample& sample = request.samples[i];
         const bool leaving = request.quantity == Quantity::radiance;
-        const std::optional<MeshPoint> point = place_of(sample, rays);
+        const std::optional<MeshPoint> point = place_of(sample, rays, met);
         const Rgb factor = leaving ? reflectance_of(sample.object) : Rgb(1.0F);
+        bool below_zero = false;
         if (!answer.direct.empty())
-          answer.direct[i] = between(direct_, point) * factor + (leaving ? direct_light_->emission(sample) : Rgb());
-        if (answer.indirect.empty()) continue;
-        answer.indirect[i] = between(relit_.irradiance, point) * factor;
-        if (leaving) answer.indirect[i] += glossy(sample, request.toward_viewer[i], point);
+          answer.direct[i] =
+              not_below_zero(between(direct_, point), below_zero) * factor + (leaving ? direct_light_->emission(sample) : Rgb());
+        if (!answer.indirect.empty()) {
+          answer.indirect[i] = not_below_zero(between(relit_.irradiance, point), below_zero) * factor;
+          if (leaving) answer.indirect[i] += not_below_zero(glossy(sample, request.toward_viewer[i], point), below_zero);
+        }
+        met.clamped += below_zero ? 1U : 0U;
       }
     });
+    count(exceptions, task);
   }
 
  private:
@@ -159,10 +181,15 @@ class Spectral : public TransportMethod {
 
   Rgb reflectance_of(std::uint32_t object) const { return world_->scene().material_of_object(object).diffuse / pi; }
 
-  std::optional<MeshPoint> place_of(const SurfaceSample& sample, RayStream& rays) const {
+  std::optional<MeshPoint> place_of(const SurfaceSample& sample, RayStream& rays, Exceptions& met) const {
+    if (!transfer_.mesh || !sample.lit_side) return std::nullopt;
     const bool front = glm::dot(world_->normal(sample.triangle), sample.normal) >= 0.0F;
-    if (!transfer_.mesh || !sample.lit_side || !transfer_.mesh->covers(sample.triangle, front)) return std::nullopt;
+    if (!transfer_.mesh->covers(sample.triangle, front)) {
+      ++met.uncovered;
+      return std::nullopt;
+    }
     const MeshPoint point = transfer_.mesh->locate(sample.triangle, sample.barycentrics, front);
+    met.cut += transfer_.interpolation.torn(point.triangle) ? 1U : 0U;
     return transfer_.interpolation.seen(*world_, *transfer_.mesh, point, sample.position, rays);
   }
 
@@ -170,14 +197,17 @@ class Spectral : public TransportMethod {
     return transfer_.slot_of_vertex[transfer_.mesh->triangles()[point.triangle].corners[corner]];
   }
 
-  /// Interpolated; a truncated basis may ring below zero, which no irradiance does.
   Rgb between(const std::vector<Rgb4>& values, const std::optional<MeshPoint>& point) const {
     if (values.empty() || !point) return {};
     Rgb sum;
     for (std::size_t c = 0; c < 3; ++c) sum += Rgb(values[slot(*point, c)]) * point->weights[c];
-    return not_below_zero(sum);
+    return sum;
   }
-  static Rgb not_below_zero(const Rgb& v) { return {std::max(0.0F, v.r), std::max(0.0F, v.g), std::max(0.0F, v.b)}; }
+  /// A truncated basis may ring below zero, which no irradiance does.
+  static Rgb not_below_zero(const Rgb& v, bool& below_zero) {
+    below_zero = below_zero || v.r < 0.0F || v.g < 0.0F || v.b < 0.0F;
+    return {std::max(0.0F, v.r), std::max(0.0F, v.g), std::max(0.0F, v.b)};
+  }
 
   /// Σ_k ρ_k(ω_o) ∫ L h_k cos (Wang et al. 2007, Eq. 6).
   Rgb glossy(const SurfaceSample& sample, const Vec3& toward_viewer, const std::optional<MeshPoint>& point) const {
@@ -189,7 +219,7 @@ class Spectral : public TransportMethod {
       const RgbHarmonics& arriving = relit_.harmonics[transfer_.glossy_row[slot(*point, c)]];
       for (std::size_t k = 0; k < harmonic_count; ++k) sum += lobe[k] * arriving[k] * point->weights[c];
     }
-    return not_below_zero(sum);
+    return sum;
   }
 
   Settings settings_;
@@ -220,7 +250,9 @@ MethodEntry spectral_entry() {
            {"rays", "256"},
            {"basis_functions", "256"},
            {"part_vertices", "200"},
-           {"compression_error", "0.01"}}};
+           {"compression_error", "0.01"}},
+          "mode",
+          presets()};
 }
 
 }  // namespace gibench

@@ -14,6 +14,7 @@ std::size_t Transfer::bytes() const {
       mesh->bytes() + interpolation.bytes() + basis.bytes() + one_bounce.bytes() +
       (vertex_of_slot.size() + slot_of_vertex.size() + glossy_slots.size() + glossy_row.size()) * sizeof(std::uint32_t);
   for (const TransferMatrix& matrix : all_bounces) bytes += matrix.bytes();
+  for (const std::vector<float>& matrix : all_light) bytes += matrix.size() * sizeof(float);
   for (const TransferMatrix& matrix : harmonic_slices) bytes += matrix.bytes();
   return bytes;
 }

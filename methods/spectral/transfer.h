@@ -21,6 +21,7 @@ struct Transfer {
   SpectralBasis basis;
   TransferMatrix one_bounce;                    ///< T^s, one row for each slot
   std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one per channel
+  std::vector<std::vector<float>> all_light;    ///< G of T* = T^s G, as many, dense, where there are slices
   std::vector<std::uint32_t> glossy_slots;      ///< the slots that have harmonic slices
   std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row
   std::vector<TransferMatrix> harmonic_slices;  ///< T_k^s, k = 1…15; that of the constant harmonic is T^s times it

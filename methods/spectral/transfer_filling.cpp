@@ -94,10 +94,11 @@ class Filling {
 
 }  // namespace
 
-void fill_matrices(const World& world, const VertexRays& rays, const Truncation& truncation, Transfer& transfer, Task& task) {
+void fill_matrices(const World& world, const VertexRays& rays, const Truncations& truncations, Transfer& transfer, Task& task) {
   const std::vector<float> constant = transfer.basis.constant();
-  transfer.one_bounce = TransferMatrix(truncation, constant);
-  if (!transfer.glossy_slots.empty()) transfer.harmonic_slices.assign(harmonic_count - 1, TransferMatrix(truncation, constant));
+  transfer.one_bounce = TransferMatrix(truncations.irradiance, constant);
+  if (!transfer.glossy_slots.empty())
+    transfer.harmonic_slices.assign(harmonic_count - 1, TransferMatrix(truncations.slices, constant));
   Filling(world, rays, transfer, task).fill();
 }
 

@@ -6,7 +6,12 @@
 
 namespace gibench::spectral {
 
+/// What is left out of the matrices.
+struct Truncations {
+  Truncation irradiance, slices;
+};
+
 /// The matrix of one bounce, and the harmonic slices where the transfer has glossy slots.
-void fill_matrices(const World& world, const VertexRays& rays, const Truncation& truncation, Transfer& transfer, Task& task);
+void fill_matrices(const World& world, const VertexRays& rays, const Truncations& truncations, Transfer& transfer, Task& task);
 
 }  // namespace gibench::spectral

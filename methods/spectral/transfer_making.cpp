@@ -23,6 +23,7 @@ void make_mesh(const World& world, const Settings& settings, bool occlusion, Tra
   if (mesh.refused_faces() > 0) task.count("non_manifold_faces", mesh.refused_faces());
   task.progress("sampling mesh", 0.02);
   transfer.interpolation = occlusion ? Interpolation(world, mesh, task) : Interpolation(mesh);
+  task.count("cut_triangles", transfer.interpolation.torn_triangles());
 }
 
 /// The basis of the transfer's mesh, and with it the order of the slots.
@@ -32,8 +33,17 @@ void make_slots(const Settings& settings, TransferMaking& making, Task& task) {
   Partition partition = partition_mesh(graph, static_cast<std::uint32_t>(settings.part_vertices));
   put_neighbours_together(*transfer.mesh, block_rows, partition);
   task.progress("partition", 0.04);
-  BasisMaking made = make_basis(graph, partition, share_out(partition, static_cast<std::uint32_t>(settings.basis_functions)),
-                                settings.laplacian, task);
+  const std::vector<std::uint32_t> functions = share_out(partition, static_cast<std::uint32_t>(settings.basis_functions));
+  if (const std::uint64_t columns = SpectralBasis::columns_for(functions);
+      settings.mode == Mode::fixed_albedo && columns > most_folded_columns) {
+    making.termination = Termination::out_of_budget;
+    making.message = fmt::format(
+        "mode=fixed_albedo inverts a dense matrix of as many rows as the basis has columns, {} at most, here {}; lower "
+        "basis_functions or set mode=bounces",
+        most_folded_columns, columns);
+    return;
+  }
+  BasisMaking made = make_basis(graph, partition, functions, settings.laplacian, task);
   if (!made.failure.empty()) {
     making.termination = Termination::not_converged;
     making.message = made.failure;
@@ -79,17 +89,22 @@ float ambient(const SamplingMesh& mesh, std::span<const Rgb4> reflectance_of_obj
   return static_cast<float>(albedo / (1.0 - albedo));
 }
 
-/// Mode fixed_albedo: all bounces in one matrix, in place of that of one bounce unless harmonic slices need it.
-void fold_bounces(const Settings& settings, const TransferWish& wish, const TrialLights& lights, Transfer& transfer, Task& task) {
+/// Mode fixed_albedo: all bounces in one matrix, in place of that of one bounce.
+void fold(const TransferWish& wish, const CompressionWish& compression, TransferMaking& making, Task& task) {
+  Transfer& transfer = making.transfer;
   std::vector<Rgb4> reflectance;
   std::vector<double> areas;
   for (std::size_t slot = 0; slot < transfer.vertex_of_slot.size(); ++slot) {
     reflectance.push_back(wish.reflectance[transfer.mesh->vertices()[transfer.vertex_of_slot[slot]].object]);
     areas.push_back(transfer.area_of(slot));
   }
-  transfer.all_bounces = all_bounces(transfer.basis, transfer.one_bounce, reflectance, areas, wish.most_bounces, lights,
-                                     settings.compression_error, task);
-  if (transfer.harmonic_slices.empty()) transfer.one_bounce = TransferMatrix();
+  Folding folding = fold_bounces(transfer.basis, transfer.one_bounce,
+                                 {reflectance, areas, wish.most_bounces, !transfer.harmonic_slices.empty()}, compression, task);
+  transfer.all_bounces = std::move(folding.irradiance);
+  transfer.all_light = std::move(folding.light);
+  transfer.one_bounce = TransferMatrix();
+  making.termination = folding.termination;
+  if (!folding.message.empty()) making.message += (making.message.empty() ? "" : "; ") + folding.message;
 }
 
 void count_matrices(const Transfer& transfer, Task& task) {
@@ -101,21 +116,33 @@ void count_matrices(const Transfer& transfer, Task& task) {
   task.count("matrix_bytes", bytes);
 }
 
-void make_matrices(const World& world, const Settings& settings, const TransferWish& wish, Transfer& transfer, Task& task) {
+Truncations truncations_for(const World& world, const VertexRays& rays, const Settings& settings,
+                            const CompressionWish& compression, const Transfer& transfer, Task& task) {
+  Truncations chosen;
+  chosen.irradiance = truncation_for(
+      compression, transfer.basis, [&] { return pilot_rows(world, transfer, rays, settings.rays, task); }, task);
+  if (!transfer.glossy_slots.empty())
+    chosen.slices = truncation_for(
+        compression, transfer.basis, [&] { return glossy_pilot_rows(world, transfer, rays, settings.rays, task); }, task);
+  return chosen;
+}
+
+void make_matrices(const World& world, const Settings& settings, const TransferWish& wish, TransferMaking& making, Task& task) {
+  Transfer& transfer = making.transfer;
   find_glossy_slots(wish.glossy_objects, transfer, task);
   const VertexRays rays = rays_of(world, transfer, settings.rays, task.seed());
-  Truncation truncation;
-  TrialLights lights;
-  if (settings.compression_error > 0.0) {
-    lights = trial_lights(world, *transfer.mesh, transfer.basis, transfer.vertex_of_slot, wish.occlusion, task);
-    const TrialLights tried = with_ambient(lights, transfer.basis, ambient(*transfer.mesh, wish.reflectance));
-    truncation = choose_truncation(transfer.basis, tried, pilot_rows(world, transfer, rays, settings.rays, task),
-                                   settings.compression_error, task);
+  CompressionWish compression{settings.compression, settings.compression_error, {}}, of_one_bounce = compression;
+  if (compression.judged()) {
+    compression.lights = trial_lights(world, *transfer.mesh, transfer.basis, transfer.vertex_of_slot, wish.occlusion, task);
+    of_one_bounce.lights = with_ambient(compression.lights, transfer.basis, ambient(*transfer.mesh, wish.reflectance));
+    task.progress("trial lights", 0.11);
   }
+  const Truncations truncations = truncations_for(world, rays, settings, of_one_bounce, transfer, task);
   task.progress("truncation", 0.12);
-  fill_matrices(world, rays, truncation, transfer, task);
   if (task.cancelled()) return;
-  if (settings.mode == Mode::fixed_albedo) fold_bounces(settings, wish, lights, transfer, task);
+  fill_matrices(world, rays, truncations, transfer, task);
+  if (task.cancelled()) return;
+  if (settings.mode == Mode::fixed_albedo) fold(wish, compression, making, task);
   count_matrices(transfer, task);
   task.progress("transfer", 1.0);
 }
@@ -126,7 +153,7 @@ TransferMaking make_transfer(const World& world, const Settings& settings, const
   TransferMaking making;
   make_mesh(world, settings, wish.occlusion, making.transfer, task);
   if (!task.cancelled()) make_slots(settings, making, task);
-  if (!task.cancelled() && succeeded(making.termination)) make_matrices(world, settings, wish, making.transfer, task);
+  if (!task.cancelled() && succeeded(making.termination)) make_matrices(world, settings, wish, making, task);
   return making;
 }
 

@@ -56,17 +56,33 @@ void TransferMatrix::Section::keep_columns(std::span<const float> rows, std::siz
   if (matrix_->rounded() && !constant_kept && best < columns) column_.push_back(static_cast<std::uint16_t>(best));
 }
 
+void TransferMatrix::Section::keep_what_rounds_to_something(std::span<const float> rows) {
+  const std::size_t columns = matrix_->columns();
+  const std::vector<float>& importance = matrix_->truncation_.importance;
+  std::vector<bool> kept(columns, false);
+  for (std::size_t begin = 0; begin < rows.size(); begin += columns) {
+    float largest = 0.0F;
+    for (std::size_t c = 0; c < columns; ++c) largest = std::max(largest, std::fabs(rows[begin + c]) * importance[c]);
+    for (std::size_t c = 0; c < columns; ++c)
+      kept[c] = kept[c] || std::fabs(rows[begin + c]) * importance[c] * most > 0.5F * largest;
+  }
+  for (std::size_t c = 0; c < columns; ++c)
+    if (kept[c]) column_.push_back(static_cast<std::uint16_t>(c));
+}
+
 void TransferMatrix::Section::add_block(std::span<const float> rows, std::span<const float> alike) {
   const std::size_t columns = matrix_->columns(), count = rows.size() / columns;
   GIBENCH_CHECK(count > 0 && count <= block_rows && rows.size() == count * columns, "a block has one to eight whole rows");
   GIBENCH_CHECK(alike.size() == rows.size(), "rows that choose columns are as many");
-  keep_columns(alike, count);
+  const bool rounding = matrix_->truncation_.rounding;
+  if (rounding) keep_what_rounds_to_something(alike);
+  else keep_columns(alike, count);
   const std::span<const std::uint16_t> own = columns_of_block();
   std::vector<float> kept(own.size() * block_rows, 0.0F);
   for (std::size_t i = 0; i < own.size(); ++i)
     for (std::size_t r = 0; r < count; ++r) kept[i * block_rows + r] = rows[r * columns + own[i]];
   if (matrix_->rounded()) {
-    keep_answer_to_constant(rows, count, kept);
+    if (!rounding) keep_answer_to_constant(rows, count, kept);
     quantise(kept);
   } else {
     exact_.insert(exact_.end(), kept.begin(), kept.end());

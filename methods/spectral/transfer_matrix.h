@@ -18,6 +18,7 @@ constexpr std::size_t block_rows = lane_count;
 struct Truncation {
   std::vector<float> importance;  ///< > 0, one per column: how much light it usually carries; empty: nothing else is left out
   float threshold = 0.0F;         ///< a block keeps columns of which the root mean square value times importance is above it
+  bool rounding = false;          ///< it keeps those of which a value does not round to zero instead, and changes no other value
 };
 
 /// Rows of (value, column) pairs, in blocks of up to eight rows that are alike and share their columns: a column number is held
@@ -49,6 +50,7 @@ class TransferMatrix {
    private:
     friend class TransferMatrix;
     void keep_columns(std::span<const float> rows, std::size_t count);
+    void keep_what_rounds_to_something(std::span<const float> rows);
     void keep_answer_to_constant(std::span<const float> rows, std::size_t count, std::span<float> kept) const;
     void quantise(std::span<const float> kept);
     std::span<const std::uint16_t> columns_of_block() const { return std::span(column_).subspan(block_begin_.back()); }

@@ -54,6 +54,7 @@ TEST(Check, UnknownEffectsAndStraySettingsAreBadInput) {
   expect_bad_input(shop.gibench({"check", "room.scene.json", "--effects", "direct,magic"}),
                    {"--effects", "'magic'", "known:", "glossy_chain"});
   expect_bad_input(shop.gibench({"check", "room.scene.json", "--set", "rays=4"}), {"--set", "--method"});
+  expect_bad_input(shop.gibench({"check", "room.scene.json", "--preset", "paper"}), {"--preset", "--method"});
 }
 
 TEST(Check, EveryWrongSceneGetsOneLineWithPlaceAndMend) {

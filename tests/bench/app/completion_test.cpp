@@ -67,6 +67,12 @@ TEST(Completion, OffersTheParametersOfTheMethodThatIsNamed) {
   EXPECT_THAT(offered(shop, {"run", "room", "--method", "pathtracer", "--set", "samples="}), Not(Contains("samples=")));
 }
 
+TEST(Completion, OffersThePresetsOfTheMethodThatIsNamed) {
+  const Workshop shop;
+  EXPECT_THAT(offered(shop, {"run", "room", "--method", "meshless", "--preset", ""}), ElementsAre("paper"));
+  EXPECT_THAT(offered(shop, {"run", "room", "--preset", ""}), ElementsAre()) << "of no method";
+}
+
 TEST(Completion, EveryOptionOfEveryVerbIsOffered) {
   const Workshop shop;
   const auto tree = shop.gibench({"help", "--json"}).json();

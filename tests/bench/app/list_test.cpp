@@ -37,6 +37,17 @@ TEST(List, OneMethodShowsItsParametersWithRangesAndDefaults) {
   EXPECT_THAT(outcome.out, HasSubstr("default"));
 }
 
+TEST(List, AMethodShowsItsPresets) {
+  const Workshop shop;
+  const Outcome outcome = shop.gibench({"list", "methods", "meshless"});
+  EXPECT_THAT(outcome.out,
+              testing::AllOf(HasSubstr("presets (--preset NAME)"), HasSubstr("  paper "), HasSubstr("noise_guard=0")));
+  const auto json = shop.gibench({"list", "methods", "meshless", "--json"}).json();
+  ASSERT_FALSE(json["presets"].empty());
+  EXPECT_EQ(json["presets"][0]["name"], "paper");
+  EXPECT_EQ(json["presets"][0]["parameters"]["noise_guard"], "0");
+}
+
 TEST(List, EffectsMetricsAndScenes) {
   const Workshop shop;
   EXPECT_THAT(shop.gibench({"list", "effects"}).out, HasSubstr("diffuse_indirect\n"));

@@ -43,6 +43,22 @@ TEST(Run, WritesARecordAPictureAndALog) {
   EXPECT_FALSE(result.contains("reference"));
 }
 
+TEST(Run, APresetIsOverriddenBySettings) {
+  const Workshop shop;
+  const Outcome outcome =
+      shop.gibench(with({"run", "room.scene.json", "--method", "meshless", "--preset", "paper", "--set", "levels=1", "--set",
+                         "rays=16", "--set", "coarsest_rays=16", "--reference", "none", "--json"},
+                        small));
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const auto parameters = outcome.json()["parameters"];
+  EXPECT_EQ(parameters["levels"], 1);
+  EXPECT_EQ(parameters["rays"], 16);
+  EXPECT_EQ(parameters["noise_guard"], 0.0);
+  EXPECT_EQ(parameters["direct"], "basis");
+  expect_bad_input(shop.gibench({"run", "room.scene.json", "--method", "meshless", "--preset", "papers"}),
+                   {"--preset", "\"papers\"", "paper"});
+}
+
 TEST(Run, SplitsItsErrorWhereItLacksLightPaths) {
   const Workshop shop;
   const std::vector<std::string> reference = with({"reference", "room.scene.json", "--samples", "64", "--quiet"}, small);

@@ -18,7 +18,7 @@ class ConstantSender : public Sender {
  public:
   explicit ConstantSender(Rgb value) : value_(value) {}
   void irradiance(std::span<const SurfaceSample> hits, const Vec3&, std::uint64_t, RayStream&, std::span<Rgb> values,
-                  std::uint64_t&) const override {
+                  SenderCounts&) const override {
     for (std::size_t i = 0; i < hits.size(); ++i) values[i] = value_;
   }
 
@@ -108,7 +108,7 @@ TEST(Gather, TurnsWithTheScene) {
   class ByHeight : public Sender {
    public:
     void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t, RayStream&, std::span<Rgb> values,
-                    std::uint64_t&) const override {
+                    SenderCounts&) const override {
       for (std::size_t i = 0; i < hits.size(); ++i) values[i] = Rgb(glm::distance(hits[i].position, receiver));
     }
   };
@@ -127,6 +127,22 @@ TEST(Gather, BasisSenderSeesTheExpansionAndTheAlbedoOfTheHit) {
   const Rgb seen = gathered(scene.world, receiver, sender).value;
   const Rgb expected = gathered(scene.world, receiver, ConstantSender(Rgb(1.0F))).value;
   for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(seen[channel], expected[channel], 1e-4F);
+}
+
+TEST(Gather, CountsHitsThatNoBasisFunctionCovers) {
+  const test::BasisScene scene(made::box_scene());
+  const Coefficients made = scene.approximate_fully(0, [](const Place&) { return Rgb(); });
+  const BasisSender sender(made, scene.groups, 0.1);
+  std::vector<SurfaceSample> hits = area_uniform_samples(scene.world, 100, 3);
+  std::vector<Rgb> values(hits.size());
+  Task task;
+  RayStream stream = task.rays(scene.world);
+  SenderCounts counts;
+  sender.irradiance(hits, Vec3(0.5F), 1, stream, values, counts);
+  EXPECT_EQ(counts.uncovered, 0U) << "dark, but covered";
+  for (SurfaceSample& hit : hits) hit.position += Vec3(10.0F);
+  sender.irradiance(hits, Vec3(0.5F), 1, stream, values, counts);
+  EXPECT_EQ(counts.uncovered, 100U);
 }
 
 }  // namespace

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "common/scene/made_scenes.h"
+#include "methods/meshless/coarsest_shares.h"
+#include "methods/meshless/refinement.h"
 #include "tests/methods/meshless/basis_scene.h"
 
 namespace gibench::meshless {
@@ -147,7 +150,123 @@ TEST(Groups, FollowTheSceneAndItsConnectedComponents) {
   EXPECT_EQ(make_groups(grouped, Grouping::objects).count, 2U);
   const World many(made::random_triangles(100, 1.0F, 0.1F, 3), 1);
   EXPECT_EQ(make_groups(many, Grouping::components).count, 100U);
-  EXPECT_EQ(make_groups(many, Grouping::automatic).count, 1U);
+  EXPECT_EQ(make_groups(many, Grouping::automatic).count, most_own_groups + 1U);
+}
+
+/// Blocks of one object, each smaller than the one before, in a room.
+Scene room_with_blocks(std::uint32_t count) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, {0, 0, 0}, {10, 10, 10});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float size = 0.5F / (1.0F + 0.1F * static_cast<float>(i)), x = 0.5F + static_cast<float>(i % 9),
+                z = 0.5F + static_cast<float>(i / 9);
+    builder.block("block" + std::to_string(i), white, {x, 1.0F, z}, {x + size, 1.0F + size, z + size});
+  }
+  Scene scene = builder.build("room with blocks");
+  for (Object& object : scene.objects) object.group = object.name == "room" ? "room" : "blocks";
+  return scene;
+}
+
+TEST(Groups, OneMoreSmallComponentChangesNoGroupButTheSmallest) {
+  const World few(room_with_blocks(most_own_groups - 1), 1), more(room_with_blocks(most_own_groups + 3), 1);
+  const Groups before = make_groups(few, Grouping::automatic), after = make_groups(more, Grouping::automatic);
+  EXPECT_EQ(before.count, most_own_groups);
+  EXPECT_EQ(after.count, most_own_groups + 1);
+  ASSERT_LT(before.of_triangle.size(), after.of_triangle.size());
+  for (std::size_t t = 0; t < before.of_triangle.size(); ++t) EXPECT_EQ(after.of_triangle[t], before.of_triangle[t]);
+  for (std::size_t t = before.of_triangle.size(); t < after.of_triangle.size(); ++t)
+    EXPECT_EQ(after.of_triangle[t], most_own_groups) << "the smallest share a group";
+}
+
+TEST(Groups, PolygonsThatAbutWithTJunctionsAreOneSurface) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  // A long tile, at whose edge shorter ones lie, turned so that their corners are on it but for rounding; and one apart.
+  const auto tile = [&](const char* name, float x0, float x1, float z0, float z1) {
+    const float c = std::cos(0.3F), s = std::sin(0.3F);
+    const auto at = [&](float x, float z) { return Vec3(c * x - s * z, 0.0F, s * x + c * z); };
+    builder.quad(name, white, {{at(x0, z0), at(x0, z1), at(x1, z1), at(x1, z0)}});
+  };
+  tile("long", 0.0F, 3.0F, 0.0F, 1.0F);
+  tile("left", -0.5F, 0.7F, 1.0F, 2.0F);
+  tile("right", 1.1F, 2.2F, 1.0F, 2.0F);
+  tile("apart", 1.1F, 2.2F, 2.01F, 3.0F);
+  Scene scene = builder.build("tiles");
+  for (Object& object : scene.objects) object.group = "floor";
+  const World world(scene, 1);
+  const Groups groups = make_groups(world, Grouping::components);
+  EXPECT_EQ(groups.count, 2U);
+  EXPECT_EQ(groups.of_triangle[0], groups.of_triangle[2]);
+  EXPECT_EQ(groups.of_triangle[0], groups.of_triangle[4]);
+  EXPECT_NE(groups.of_triangle[0], groups.of_triangle[6]);
+}
+
+TEST(Groups, ABlockThatStandsOnAFloorIsNotPartOfIt) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, {0, 0, 0}, {1, 1, 1});
+  builder.block("block", white, {0.0F, 0.0F, 0.2F}, {0.4F, 0.4F, 0.6F});  // in the corner of floor and wall
+  EXPECT_EQ(make_groups(World(builder.build("block on a floor"), 1), Grouping::components).count, 2U);
+}
+
+TEST(Placement, SettingsThatAskForTooManyPointsAreRefusedByName) {
+  made::SceneBuilder builder;
+  builder.quad("floor", builder.diffuse("white", Rgb(0.5F)), {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  const World world(builder.build("floor"), 1);
+  const auto refusal_with = [&](int levels, double initial_radius) {
+    Settings settings = test::default_settings();
+    settings.levels = levels;
+    settings.initial_radius = initial_radius;
+    Task task;
+    const Placement placement = place_points(world, make_groups(world, Grouping::objects), settings, task);
+    EXPECT_TRUE(placement.refusal.empty() || placement.points.empty());
+    return placement.refusal;
+  };
+  EXPECT_NE(refusal_with(12, 0.0).find("levels=12 with coarsest_samples=310"), std::string::npos) << refusal_with(12, 0.0);
+  EXPECT_NE(refusal_with(1, 1e-12).find("initial_radius=1e-12"), std::string::npos) << refusal_with(1, 1e-12);
+  EXPECT_EQ(refusal_with(2, 0.0), "");
+}
+
+TEST(Hierarchy, RadiiFollowTheirNeighboursHoweverLargeTheLimitIs) {
+  made::SceneBuilder builder;
+  builder.quad("floor", builder.diffuse("white", Rgb(0.5F)), {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  Settings near = small_settings(2), far = near;
+  far.radius_limit = 1e6;
+  const test::BasisScene limited(builder.build("floor"), near), unlimited(builder.build("floor"), far);
+  ASSERT_EQ(limited.hierarchy.size(), unlimited.hierarchy.size());
+  std::size_t differ = 0;
+  for (std::uint32_t point = 0; point < limited.hierarchy.size(); ++point) {
+    EXPECT_LT(unlimited.hierarchy.radius(point), 1.5F);
+    differ += limited.hierarchy.radius(point) != unlimited.hierarchy.radius(point) ? 1U : 0U;
+  }
+  EXPECT_LT(differ, limited.hierarchy.size() / 5U) << "points in corners alone reach further than four discs";
+}
+
+TEST(CoarsestShares, AreThoseOfTheArea) {
+  // Many small blocks, each with samples of its own, in a room that holds nearly all area.
+  const test::BasisScene scene(room_with_blocks(30), small_settings(1));
+  double blocks = 0.0, whole = 0.0;
+  for (std::uint32_t t = 0; t < scene.world.scene().triangles.size(); ++t) {
+    const double area = static_cast<double>(scene.world.area(t));
+    whole += area;
+    if (scene.world.scene().triangle_object[t] != 0) blocks += area;
+  }
+  Task task;
+  Hierarchy hierarchy = scene.hierarchy;
+  Coefficients lit(hierarchy);
+  std::size_t on_blocks = 0;
+  for (std::uint32_t point = 0; point < hierarchy.size(); ++point) {
+    const bool block = scene.world.scene().triangle_object[hierarchy.triangle(point)] != 0;
+    on_blocks += block ? 1U : 0U;
+    lit.set(point, Rgb(block ? 1.0F : 0.0F));
+  }
+  ASSERT_GT(static_cast<double>(on_blocks) / hierarchy.size(), 3.0 * blocks / whole);
+  hierarchy.set_coarsest_shares(coarsest_shares(scene.world, scene.groups, hierarchy, task));
+  EXPECT_NEAR(coarsest_mean(lit).r, blocks / whole, 0.1 * blocks / whole);
+  double sum = 0.0;
+  for (std::uint32_t point = 0; point < hierarchy.size(); ++point) sum += hierarchy.coarsest_share(point);
+  EXPECT_NEAR(sum, 1.0, 1e-9);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/core/random.h"
 #include "common/scene/made_scenes.h"
 #include "methods/meshless/expansion.h"
 #include "tests/methods/meshless/basis_scene.h"
@@ -108,6 +109,62 @@ TEST(Refinement, ASmallerThresholdNeverGivesALargerError) {
     EXPECT_LT(error, epsilon_e);
     before = error;
   }
+}
+
+/// A step of a tenth in the middle of a floor, under noise whose deviation is known.
+struct NoisyStep {
+  const Hierarchy& hierarchy;
+  float deviation;
+
+  Estimate operator()(std::uint32_t p) const {
+    RandomStream random(1, 0, p);
+    const float gauss = std::sqrt(-2.0F * std::log(1.0F - random.next_float())) * std::cos(2.0F * pi * random.next_float());
+    return {Rgb((hierarchy.position(p).x < 0.5F ? 1.0F : 1.1F) + deviation * gauss), deviation};
+  }
+};
+
+struct Refined {
+  std::size_t at_step = 0, elsewhere = 0;  ///< functions beyond the coarsest level
+  std::uint64_t undecided = 0;
+};
+
+Refined refined_step(const test::BasisScene& scene, double epsilon_e, double noise_guard, float deviation) {
+  RefinementRule rule = rule_with(epsilon_e);
+  rule.noise_guard = noise_guard;
+  Task task;
+  const NoisyStep step{scene.hierarchy, deviation};
+  const PointValues values = [&](std::span<const std::uint32_t> points, std::span<Estimate> out) {
+    for (std::size_t i = 0; i < points.size(); ++i) out[i] = step(points[i]);
+  };
+  const Coefficients made = approximate(scene.hierarchy, values, rule, task);
+  Refined result;
+  for (const std::uint32_t point : made.sorted_points())
+    if (scene.hierarchy.level_of(point) > 0)
+      ++(std::fabs(scene.hierarchy.position(point).x - 0.5F) < 0.25F ? result.at_step : result.elsewhere);
+  result.undecided = task.counters()["undecided_samples"];
+  return result;
+}
+
+TEST(Refinement, UnderTheNoiseGuardAStepIsRefinedWhereItStandsOutOfTheNoise) {
+  const test::BasisScene scene = floor_scene(4);
+  // Noise of a hundredth, a step of ten deviations: noise is chased everywhere without the guard, the step alone with it.
+  const Refined chased = refined_step(scene, 0.01, 0.0, 0.01F), guarded = refined_step(scene, 0.01, 5.0, 0.01F);
+  EXPECT_GT(chased.elsewhere, scene.hierarchy.size() / 4);
+  EXPECT_EQ(chased.undecided, 0U);
+  EXPECT_GT(guarded.at_step, 100U);
+  EXPECT_LT(guarded.elsewhere, chased.elsewhere / 20);
+  EXPECT_GT(guarded.undecided, 0U) << "differences over epsilon_E that may be noise are told";
+}
+
+TEST(Refinement, WhereNoiseOverridesEpsilonEThatIsCounted) {
+  const test::BasisScene scene = floor_scene(4);
+  // The step is two deviations high: whether there is one cannot be known.
+  const Refined blind = refined_step(scene, 0.01, 5.0, 0.05F);
+  EXPECT_EQ(blind.at_step + blind.elsewhere, 0U);
+  EXPECT_GT(blind.undecided, scene.hierarchy.level_size(0) / 2U);
+  // Where epsilon_E is above all differences the guard overrides nothing, and where nothing is noisy it decides everything.
+  EXPECT_EQ(refined_step(scene, 0.5, 5.0, 0.05F).undecided, 0U);
+  EXPECT_EQ(refined_step(scene, 0.01, 5.0, 0.0F).undecided, 0U);
 }
 
 TEST(Refinement, TheNoiseGuardLeavesNoiseAlone) {

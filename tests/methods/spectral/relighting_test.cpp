@@ -70,6 +70,70 @@ TEST(SpectralRelighting, FixedAlbedosGiveWhatTheBouncesGive) {
   }
 }
 
+TEST(SpectralRelighting, FixedAlbedosGiveTheGlossyFinalBounceAsManyBouncesAsThePlanDoes) {
+  for (const std::optional<int> bound : {std::optional<int>(1), std::optional<int>(2), std::optional<int>()}) {
+    TransferWish wish;
+    wish.glossy_objects = {false, true};
+    wish.reflectance.assign(2, Rgb(0.6F, 0.3F, 0.1F) / pi);
+    wish.most_bounces = bound.value_or(0);
+    SpectralRoom free = small_room({{"compression_error", "0"}}, wish);
+    SpectralRoom fixed = small_room({{"compression_error", "0"}, {"mode", "fixed_albedo"}}, wish);
+    std::vector<Rgb4> light, reflectance = everywhere(free, wish.reflectance[0]);
+    for (const std::uint32_t vertex : free.transfer().vertex_of_slot)
+      light.emplace_back(Rgb(free.transfer().mesh->vertices()[vertex].position.y));
+    const Relit one = relight(free.transfer(), light, reflectance, {.planned = bound, .most = 1000, .residual = 1e-8}, free.task);
+    const Relit other = relight(fixed.transfer(), light, reflectance, {.planned = bound, .most = 1000}, fixed.task);
+    ASSERT_EQ(other.harmonics.size(), one.harmonics.size());
+    ASSERT_FALSE(one.harmonics.empty());
+    for (std::size_t row = 0; row < one.harmonics.size(); ++row)
+      for (std::size_t k = 0; k < harmonic_count; ++k)
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(other.harmonics[row][k][c], one.harmonics[row][k][c], 2e-3F * one.harmonics[row][0][c]);
+  }
+}
+
+TransferMaking white_room(std::vector<std::pair<std::string, std::string>> more, int most_bounces) {
+  TransferWish wish;
+  wish.reflectance.assign(2, Rgb(1.0F / pi));
+  wish.most_bounces = most_bounces;
+  more.emplace_back("mode", "fixed_albedo");
+  return std::move(small_room(std::move(more), wish).made);
+}
+
+TEST(SpectralRelighting, FixedAlbedosOfWhiteSurfacesHaveNoSumThatIsKnown) {
+  for (const char* error : {"0", "0.01"}) {
+    const TransferMaking unbounded = white_room({{"compression_error", error}}, 0),
+                         bounded = white_room({{"compression_error", error}}, 3);
+    EXPECT_EQ(unbounded.termination, Termination::not_converged);
+    EXPECT_NE(unbounded.message.find("mode=bounces"), std::string::npos) << unbounded.message;
+    EXPECT_TRUE(unbounded.transfer.all_bounces.empty());
+    EXPECT_EQ(bounded.termination, Termination::done) << bounded.message;
+    EXPECT_EQ(bounded.transfer.all_bounces.size(), 1U);
+  }
+}
+
+TEST(SpectralRelighting, FixedAlbedosTellHowFarErrorsOfTheMatrixCount) {
+  TransferWish wish;
+  wish.reflectance.assign(2, Rgb(0.95F / pi));
+  const SpectralRoom bright = small_room({{"mode", "fixed_albedo"}}, wish);
+  EXPECT_EQ(bright.made.termination, Termination::done);
+  // Of constant light, which a closed room of one albedo keeps longest, 0.95 stays: 1 / (1 - 0.95).
+  EXPECT_NE(bright.made.message.find("up to 20 times"), std::string::npos) << bright.made.message;
+  wish.reflectance.assign(2, Rgb(0.5F / pi));
+  EXPECT_EQ(small_room({{"mode", "fixed_albedo"}}, wish).made.message, "");
+}
+
+TEST(SpectralRelighting, TooManyColumnsToFoldAreRefusedBeforeTheWork) {
+  TransferWish wish;
+  const std::vector<std::pair<std::string, std::string>> settings{{"mode", "fixed_albedo"}, {"vertices", "1"}, {"rays", "1"}};
+  // Loose triangles are parts of their own, each with a column of eight numbers.
+  wish.reflectance.assign(1, Rgb(0.1F));
+  const SpectralRoom loose(made::random_triangles(1100, 10.0F, 0.1F, 3), settings, wish);
+  EXPECT_EQ(loose.made.termination, Termination::out_of_budget);
+  for (const char* word : {"mode=fixed_albedo", "basis_functions", "8192", "8800"})
+    EXPECT_NE(loose.made.message.find(word), std::string::npos) << loose.made.message;
+}
+
 TEST(SpectralRelighting, GreySurfacesShareOneFoldedMatrix) {
   TransferWish wish;
   wish.reflectance.assign(2, Rgb(0.1F));

@@ -81,7 +81,7 @@ TEST(TransferMatrix, WithoutTruncationItHoldsItsRowsAndItsProductIsTheDenseOne) 
 TEST(TransferMatrix, TruncatedProductIsThatOfTheRowsItHolds) {
   for (const std::size_t rows : row_counts) {
     const DenseMatrix dense(rows, 37);
-    const TransferMatrix matrix = made_of(dense, {std::vector<float>(37, 1.0F), 0.3F}, std::vector<float>(37, 0.0F));
+    const TransferMatrix matrix = made_of(dense, {std::vector<float>(37, 1.0F), 0.3F, false}, std::vector<float>(37, 0.0F));
     const std::vector<Rgb4> answer = product(matrix, dense.light);
     for (std::size_t r = 0; r < rows; ++r) {
       RgbDouble expected;
@@ -98,7 +98,7 @@ TEST(TransferMatrix, KeepsTheColumnsThatCountAndThoseTo16Bits) {
   std::vector<float> importance;
   for (std::size_t c = 0; c < columns; ++c) importance.push_back(0.1F * static_cast<float>(1 + c));
   constexpr float threshold = 1.2F;
-  const TransferMatrix matrix = made_of(dense, {importance, threshold}, std::vector<float>(columns, 0.0F));
+  const TransferMatrix matrix = made_of(dense, {importance, threshold, false}, std::vector<float>(columns, 0.0F));
   std::uint64_t expected_coefficients = 0;
   for (std::size_t begin = 0; begin < rows; begin += block_rows) {
     const std::size_t size = std::min(block_rows, rows - begin);
@@ -129,7 +129,7 @@ TEST(TransferMatrix, TruncationKeepsARowsAnswerToConstantLight) {
   for (const float c : constant) light.emplace_back(Rgb(c));
   // Up to where nothing passes, and of the columns that carry constant light one is kept all the same.
   for (const float threshold : {0.1F, 1.0F, 5.0F, 1e9F}) {
-    const TransferMatrix matrix = made_of(dense, {importance, threshold}, constant);
+    const TransferMatrix matrix = made_of(dense, {importance, threshold, false}, constant);
     const std::vector<Rgb4> answer = product(matrix, light);
     for (std::size_t r = 0; r < dense.rows(); ++r) {
       double expected = 0.0;
@@ -139,11 +139,29 @@ TEST(TransferMatrix, TruncationKeepsARowsAnswerToConstantLight) {
   }
 }
 
+TEST(TransferMatrix, RoundingDropsWhatRoundsToZeroAndNothingElse) {
+  const float step = 1.0F / 32767.0F;
+  // Two rows, whose largest values are 1 and 10: the second column rounds to zero in both, the third in one.
+  const std::vector<float> rows{1.0F, 0.4F * step, 0.6F * step, -0.5F, 10.0F, -4.0F * step, 0.4F * step, 3.0F};
+  const Truncation rounding{std::vector<float>(4, 1.0F), 0.0F, true};
+  TransferMatrix matrix(rounding, {1.0F, 1.0F, 1.0F, 1.0F});
+  TransferMatrix::Section section(matrix);
+  section.add_block(rows);
+  matrix.append(section);
+  EXPECT_EQ(matrix.coefficients(), 2U * 3U);
+  for (std::size_t r = 0; r < 2; ++r) {
+    const std::vector<double> row = row_of(matrix, r);
+    EXPECT_EQ(row[1], 0.0);
+    const double half_a_step = 0.501 * static_cast<double>(step) * (r == 0 ? 1.0 : 10.0);
+    for (const std::size_t c : {0U, 2U, 3U}) EXPECT_NEAR(row[c], static_cast<double>(rows[4 * r + c]), half_a_step);
+  }
+}
+
 TEST(TransferMatrix, NoValueIsTooLargeOrTooSmallForARowsScale) {
   const std::vector<float> sizes{1e30F, 1e9F, 1.0F, 1e-20F, 0.0F, 1e-37F};
   std::vector<float> rows;
   for (const float size : sizes) rows.insert(rows.end(), {size, -size, 0.5F * size});
-  TransferMatrix matrix({{1.0F, 3.0F, 0.1F}, 0.0F}, {0.0F, 0.0F, 0.0F});
+  TransferMatrix matrix({{1.0F, 3.0F, 0.1F}, 0.0F, false}, {0.0F, 0.0F, 0.0F});
   TransferMatrix::Section section(matrix);
   section.add_block(rows);
   matrix.append(section);
@@ -156,7 +174,7 @@ TEST(TransferMatrix, NoValueIsTooLargeOrTooSmallForARowsScale) {
 }
 
 TEST(TransferMatrix, RowsOfNothingAnswerNothing) {
-  TransferMatrix matrix({{1.0F, 1.0F}, 0.0F}, {1.0F, 0.0F});
+  TransferMatrix matrix({{1.0F, 1.0F}, 0.0F, false}, {1.0F, 0.0F});
   TransferMatrix::Section section(matrix);
   section.add_block(std::vector<float>(6, 0.0F));
   matrix.append(section);

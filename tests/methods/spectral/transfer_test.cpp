@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "common/core/random.h"
 #include "rooms.h"
@@ -269,6 +271,61 @@ TEST(SpectralTransfer, HarmonicSlicesAreMomentsOfTheArrivingLight) {
       transfer.harmonic_slices[k - 1].multiply(projected, slice, room.task);
       EXPECT_NEAR(slice[row].r, expected[k], 1e-3F);
     }
+  }
+}
+
+TEST(SpectralTransfer, CompressionOfGlossySlicesIsJudgedByThemselves) {
+  TransferWish wish;
+  wish.glossy_objects = {true, true};
+  const auto glossy_room = [&](const std::string& error, const std::string& rays) {
+    return SpectralRoom(closed_room(),
+                        {{"vertices", "600"}, {"basis_functions", "120"}, {"rays", rays}, {"compression_error", error}}, wish);
+  };
+  SpectralRoom truth = glossy_room("0", "4096"), exact = glossy_room("0", "256");
+  const std::vector<std::vector<Rgb4>> lights = lamps(exact, 20);
+  const auto slices = [&](SpectralRoom& room, const std::vector<Rgb4>& light) {
+    std::vector<Rgb4> projected(room.transfer().basis.columns()), all;
+    room.transfer().basis.project(light, projected, room.task);
+    for (const TransferMatrix& matrix : room.transfer().harmonic_slices) {
+      std::vector<Rgb4> slice(matrix.rows());
+      matrix.multiply(projected, slice, room.task);
+      all.insert(all.end(), slice.begin(), slice.end());
+    }
+    return all;
+  };
+  for (const auto& [text, error] : {std::pair{"0.01", 0.01}, {"0.03", 0.03}}) {
+    SpectralRoom truncated = glossy_room(text, "256");
+    EXPECT_LT(truncated.transfer().harmonic_slices.front().coefficients(),
+              exact.transfer().harmonic_slices.front().coefficients());
+    double added = 0.0;
+    for (const std::vector<Rgb4>& light : lights) {
+      const std::vector<Rgb4> expected = slices(truth, light);
+      added += (squared_error(slices(truncated, light), expected) - squared_error(slices(exact, light), expected)) / 20.0;
+    }
+    EXPECT_LT(added, error * error) << text;
+  }
+}
+
+/// Stopped at one sign of progress after the other, the making comes to an end by itself.
+TEST(SpectralTransfer, AStopAtAnySignOfProgressIsNoFailure) {
+  const World world(closed_room(), 1);
+  TransferWish wish;
+  wish.glossy_objects = {false, true};
+  wish.reflectance.assign(2, Rgb(0.1F));
+  for (const char* mode : {"bounces", "fixed_albedo"}) {
+    const Settings settings = spectral_settings({{"vertices", "200"}, {"basis_functions", "32"}, {"rays", "16"}, {"mode", mode}});
+    bool finished = false;
+    int stopped_at = 1;
+    for (; !finished; ++stopped_at) {
+      int signs = 0;
+      const auto flag = std::make_shared<std::atomic<bool>>(false);
+      Task task({.cancel = flag, .on_progress = [&](const ProgressPoint&) {
+                   if (++signs == stopped_at) flag->store(true);
+                 }});
+      EXPECT_NO_THROW(make_transfer(world, settings, wish, task)) << "stopped at sign " << stopped_at;
+      finished = !flag->load();
+    }
+    EXPECT_GT(stopped_at, 6);
   }
 }
 
