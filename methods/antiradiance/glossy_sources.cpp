@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t leaf_chunk = 8;
 constexpr std::uint64_t lobe_stage = 0x6c6f6265ULL;
-constexpr std::uint32_t light_place = 0, light_choice = 1;  // dimension pairs
+constexpr std::uint32_t light_place = 0, light_choice = 1, pairs_of_group = 2;  // dimension pairs
 constexpr std::ptrdiff_t most_visited = 64;                 // punctual lights that are each given a ray
 
 PunctualLights visits(const Lighting& lighting) {
@@ -39,12 +39,16 @@ class PointLightGatherer {
       lobe.reflect(light.direction, light.radiance * (weight * cosine / light.pdf), exitant);
     };
     for (std::size_t light = 0; light < lights_.punctual_count(); ++light) add(lights_.punctual(light, sample.position), share);
-    if (lights_.nothing_to_sample()) return;
     const SobolSequence random(key);
     const auto count = static_cast<std::uint32_t>(sources_.samples);
-    for (std::uint32_t i = 0; i < count; ++i)
-      add(lights_.sample(sample.position, sample.normal, random.pair(i, light_choice).x, random.pair(i, light_place).unit()),
-          share / static_cast<float>(count));
+    std::uint32_t dimensions = 0;
+    for (const LightGroup group : lights_.groups()) {
+      for (std::uint32_t i = 0; i < count; ++i)
+        add(lights_.sample(group, sample.position, sample.normal, random.pair(i, dimensions + light_choice).x,
+                           random.pair(i, dimensions + light_place).unit()),
+            share / static_cast<float>(count));
+      dimensions += pairs_of_group;
+    }
   }
 
  private:
