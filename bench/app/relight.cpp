@@ -57,8 +57,8 @@ class Relighter {
         task_(make_task(common, world->scene().name + ", " + choice.entry->name)),
         world_(std::move(world)) {
     measuring_.bounces = bounces;
-    question_ = {path_class(bounces), common.seed, options.surface_samples, std::nullopt, 1,
-                 to_string(surface_domain_of("", world_->scene(), "the scene"))};
+    question_ = {path_class(bounces), common.seed, options.surface_samples,
+                 std::nullopt,        1,           to_string(surface_domain_of("", world_->scene(), "the scene"))};
     points_ = measuring_points(*world_, question_, common.threads);
     if (options.compared_samples > 0) question_.surface_samples = options.compared_samples;
   }

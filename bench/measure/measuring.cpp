@@ -53,9 +53,10 @@ std::string path_class(std::optional<int> bounces) {
 }
 
 ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& options) {
-  ReferenceQuestion question{path_class(options.bounces), options.reference_seed, options.surface_samples,
-                             chosen_camera(scene, options), options.pixel_samples,
-                             to_string(surface_domain_of(options.surface_domain, scene, "--surface-domain"))};
+  ReferenceQuestion question{
+      path_class(options.bounces), options.reference_seed,
+      options.surface_samples,     chosen_camera(scene, options),
+      options.pixel_samples,       to_string(surface_domain_of(options.surface_domain, scene, "--surface-domain"))};
   if (!options.light_paths.empty()) question.path_class = options.light_paths;
   // An expression and a bound together are written as both.
   if (!options.light_paths.empty() && options.bounces) question.path_class += " & " + path_class(options.bounces);

@@ -20,8 +20,7 @@ constexpr double bytes_of_reference = 16.0 * sizeof(Rgb);
 
 MemoryNeeds memory_needs(const ReferenceQuestion& question) {
   MemoryNeeds needs;
-  needs.surface =
-      static_cast<double>(question.surface_samples) * (sizeof(SurfaceSample) + bytes_of_answer + bytes_of_reference);
+  needs.surface = static_cast<double>(question.surface_samples) * (sizeof(SurfaceSample) + bytes_of_answer + bytes_of_reference);
   if (const auto& camera = question.camera) {
     const double pixels = static_cast<double>(camera->width) * camera->height;
     // Twice: rows of camera points are joined.

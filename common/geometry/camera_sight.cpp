@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "common/core/vec.h"
 #include "common/core/sampling.h"
+#include "common/core/vec.h"
 
 namespace gibench {
 
@@ -26,7 +26,8 @@ CameraView::CameraView(const Camera& camera)
 bool CameraView::in_picture(const Vec3& point) const {
   const Vec3 away = point - position;
   const float depth = glm::dot(away, forward);
-  return depth > 0.0F && std::abs(glm::dot(away, right)) <= depth * half_width && std::abs(glm::dot(away, up)) <= depth * half_height;
+  return depth > 0.0F && std::abs(glm::dot(away, right)) <= depth * half_width &&
+         std::abs(glm::dot(away, up)) <= depth * half_height;
 }
 
 std::vector<CameraView> camera_views(const Scene& scene) { return {scene.cameras.begin(), scene.cameras.end()}; }

@@ -23,6 +23,7 @@ struct CameraView {
 };
 std::vector<CameraView> camera_views(const Scene& scene);
 
+/// What the cameras of a world see.
 class CameraSight {
  public:
   /// Keeps a reference to the world.

@@ -51,7 +51,8 @@ SurfaceDomain surface_domain_of(const std::string& text, const Scene& scene, con
   using Kind = SurfaceDomain::Kind;
   if (text == "all" || (text.empty() && scene.cameras.empty())) return {Kind::all, {}};
   if (text == "seen" || text.empty()) {
-    if (scene.cameras.empty()) throw InputError(place, "the scene has no camera that sees anything", "give all, or a scene with a camera");
+    if (scene.cameras.empty())
+      throw InputError(place, "the scene has no camera that sees anything", "give all, or a scene with a camera");
     return {Kind::seen, {}};
   }
   const SurfaceDomain domain{Kind::objects, split(text)};

@@ -11,6 +11,7 @@ namespace gibench {
 
 /// Geometry that nobody sees must not decide a comparison.
 struct SurfaceDomain {
+  /// Which surfaces.
   enum class Kind {
     seen,    ///< what a camera of the scene sees, or what one diffuse reflection reaches from what it sees
     all,     ///< every side that light can leave

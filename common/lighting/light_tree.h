@@ -28,6 +28,7 @@ class LightTree {
   LightTree() = default;
   explicit LightTree(std::span<const PlacedLight> lights);
 
+  /// A light, and with which probability it is drawn.
   struct Choice {
     std::size_t light = 0;
     float probability = 0.0F;  ///< 0: the estimate leads to no light

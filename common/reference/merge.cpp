@@ -21,7 +21,8 @@ void check_same_question(const ReferenceQuestion& a, const ReferenceQuestion& b)
   check_mergeable(a.path_class == b.path_class, "their path classes are " + a.path_class + " and " + b.path_class);
   check_mergeable(a.seed == b.seed && a.surface_samples == b.surface_samples && a.pixel_samples == b.pixel_samples,
                   "their seeds or numbers of samples differ");
-  check_mergeable(a.surface_domain == b.surface_domain, "their surface domains are " + a.surface_domain + " and " + b.surface_domain);
+  check_mergeable(a.surface_domain == b.surface_domain,
+                  "their surface domains are " + a.surface_domain + " and " + b.surface_domain);
   check_mergeable(same_view(a.camera, b.camera), "their cameras differ");
 }
 

@@ -14,9 +14,9 @@ namespace gibench {
 struct ReferenceQuestion {
   std::string path_class;  ///< light-path expression, e.g. "C.*[LOB]", or with bounces "C.{0,3}[LOB]"
   std::uint64_t seed = 1;
-  std::size_t surface_samples = 0;  ///< irradiance at this many samples of the surface domain
-  std::optional<Camera> camera;     ///< radiance image; empty: surface samples only
-  int pixel_samples = 1;            ///< camera rays per pixel
+  std::size_t surface_samples = 0;     ///< irradiance at this many samples of the surface domain
+  std::optional<Camera> camera;        ///< radiance image; empty: surface samples only
+  int pixel_samples = 1;               ///< camera rays per pixel
   std::string surface_domain = "all";  ///< of the surface samples: seen, all, or names of objects joined by commas
 };
 

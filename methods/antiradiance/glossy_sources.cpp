@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t leaf_chunk = 8;
 constexpr std::uint64_t lobe_stage = 0x6c6f6265ULL;
 constexpr std::uint32_t light_place = 0, light_choice = 1, pairs_of_group = 2;  // dimension pairs
-constexpr std::ptrdiff_t most_visited = 64;                 // punctual lights that are each given a ray
+constexpr std::ptrdiff_t most_visited = 64;                                     // punctual lights that are each given a ray
 
 PunctualLights visits(const Lighting& lighting) {
   const auto punctual = std::count_if(lighting.lights.begin(), lighting.lights.end(),

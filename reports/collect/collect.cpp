@@ -132,9 +132,10 @@ Study collect_study(const fs::path& folder) {
   for (const StudyRunRecord& run : record.runs) study.runs.push_back(run_of(run, study));
   list_missing_scenes(study);
   if (const auto machines = study.machines(); machines.size() > 1)
-    study.warnings.push_back(fmt::format("the runs were measured on {} machines ({}): their seconds do not compare, and a speed-up "
-                                         "is told only over path tracing on a run's own machine",
-                                         machines.size(), fmt::join(machines, "; ")));
+    study.warnings.push_back(
+        fmt::format("the runs were measured on {} machines ({}): their seconds do not compare, and a speed-up "
+                    "is told only over path tracing on a run's own machine",
+                    machines.size(), fmt::join(machines, "; ")));
   for (const StudyRunRecord& relight : record.relights) study.relights.push_back(relight_of(relight, study));
   return study;
 }

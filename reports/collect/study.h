@@ -51,7 +51,7 @@ struct StudyRun {
   std::optional<std::uint64_t> peak_bytes;  ///< of the whole process
 
   // From result.json.
-  std::string machine;  ///< processor, cores, compiler and build: seconds of different ones do not compare
+  std::string machine;         ///< processor, cores, compiler and build: seconds of different ones do not compare
   std::string surface_domain;  ///< of its surface samples: seen, all or names of objects
   std::optional<std::uint64_t> seed, threads;
   std::optional<EffectPlan> effects;

@@ -169,7 +169,7 @@
     return curves(study, templates, key, width, points, { title: sweep.name.replaceAll("_", " "), margin: 1.25, ticks, format: "~r", styles: own, legend: "Series" });
   }
 
-  // A plot of one row a run shows this many rows; the table below it has all.
+  // A plot with a row for each run shows this many rows; the table below it has all.
   const mostRows = 60;
   const firstRows = (names) => new Set([...new Set(names)].slice(0, mostRows));
 

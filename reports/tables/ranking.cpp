@@ -184,8 +184,9 @@ std::optional<SpeedUp> speed_up(const Baseline& baseline, const StudyRun& run, c
 
 std::optional<SpeedUp> SpeedUps::of(const StudyRun& run) {
   const auto found = baselines_.find(run.machine);
-  const Baseline& baseline =
-      found != baselines_.end() ? found->second : baselines_.emplace(run.machine, baseline_of(study_, scene_, key_, run.machine)).first->second;
+  const Baseline& baseline = found != baselines_.end()
+                                 ? found->second
+                                 : baselines_.emplace(run.machine, baseline_of(study_, scene_, key_, run.machine)).first->second;
   return speed_up(baseline, run, key_);
 }
 

@@ -33,8 +33,7 @@ std::string whole_text(double value) { return fmt::format("{:.0f}", value); }
 /// A number that may be known by its bounds alone; in CSV the ends of its interval have columns of their own.
 template <class Of, class Format>
 void add_bounded(Columns<StudyRelight>& columns, std::string title, const std::string& name, Of of, Format format) {
-  columns
-      .cells({std::move(title), name}, [of, format](const StudyRelight& relight) { return bounded_cell(of(relight), format); })
+  columns.cells({std::move(title), name}, [of, format](const StudyRelight& relight) { return bounded_cell(of(relight), format); })
       .in_csv(name + "_ci95_low", of, [](const auto& number) { return number_cell(number ? number->low : std::nullopt); })
       .in_csv(name + "_ci95_high", of, [](const auto& number) { return number_cell(number ? number->high : std::nullopt); });
 }

@@ -83,10 +83,9 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
       .text("Status", "status", [](const SceneRow& row) { return status_text(row.run.status); })
       .error(metric.title + " [95% interval]", key.metric, metric, [&](const SceneRow& row) { return row.run.error(key); })
       .cells({"Noise floor", "noise_floor"}, [&](const SceneRow& row) { return floor_cell(metric, row.run.error(key)); })
-      .cells({"Speed-up", "speed_up"},
-             [](const SceneRow& row) {
-               return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
-             });
+      .cells({"Speed-up", "speed_up"}, [](const SceneRow& row) {
+        return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
+      });
   add_speed_up_ends(columns, "speed_up", std::mem_fn(&SceneRow::speed_up));
   columns.seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
       .seconds("Prepare", "prepare_seconds", stage(Stage::prepare))
@@ -99,11 +98,12 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
   SpeedUps speed_ups(study, name, key);
   std::vector<SceneRow> rows;
   for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_ups.of(study.runs[run])});
-  return columns.table(scene_slug(study, scene),
-                       name + ": " + metric.title + " of " + describe(key) + domain_phrase(study, name, key) +
-                           " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors, ≥ a lower bound), "
-                           "seconds, memory and rays.",
-                       rows);
+  return columns.table(
+      scene_slug(study, scene),
+      name + ": " + metric.title + " of " + describe(key) + domain_phrase(study, name, key) +
+          " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors, ≥ a lower bound), "
+          "seconds, memory and rays.",
+      rows);
 }
 
 Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<RankingRow>& rows) {
@@ -137,11 +137,12 @@ Table ranking_table(const Study& study, const ErrorKey& key, const std::vector<R
       columns.cells({scene.name, scene.name}, [&study, s](const RankingRow& row) { return ranked_cell(study, row.scenes[s]); });
       add_speed_up_ends(columns, scene.name, [s](const RankingRow& row) { return row.scenes[s].speed_up; });
     }
-  return columns.table("ranking",
-                       "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
-                           ": the path tracer's time for a run's error over the run's time, with what the 95% intervals leave room for (* "
-                           "beyond its measured errors, ≥ the run's error is not resolved); geometric mean over the scenes.",
-                       rows);
+  return columns.table(
+      "ranking",
+      "Speed-up over the path tracer at equal " + metric_info(key.metric).title + " of " + describe(key) +
+          ": the path tracer's time for a run's error over the run's time, with what the 95% intervals leave room for (* "
+          "beyond its measured errors, ≥ the run's error is not resolved); geometric mean over the scenes.",
+      rows);
 }
 
 Table error_table(const Study& study) {

@@ -61,7 +61,8 @@ TEST(SurfaceDomain, WhatTheCameraSeesIsSampledUniformlyByArea) {
   const double count = static_cast<double>(count_on(world, seen, "block"));
   EXPECT_NEAR(count / 20000.0, share, 4.0 * std::sqrt(share / 20000.0));
   const auto under = std::ranges::count_if(seen, [&](const SurfaceSample& sample) {
-    return std::abs(sample.position.y + world.scene().origin.y) < 1e-4 && std::abs(sample.position.x + world.scene().origin.x - 0.5) < 0.099 &&
+    return std::abs(sample.position.y + world.scene().origin.y) < 1e-4 &&
+           std::abs(sample.position.x + world.scene().origin.x - 0.5) < 0.099 &&
            std::abs(sample.position.z + world.scene().origin.z - 0.5) < 0.099;
   });
   EXPECT_EQ(under, 0);

@@ -35,9 +35,7 @@ TEST(CameraPlacing, AViewOfLessThanARoundingStepIsKept) {
   EXPECT_LT(glm::length(error), 1e-6F);
 }
 
-TEST(CameraPlacing, AViewOfTheSmallestLengthIsKept) {
-  EXPECT_EQ(view(placed(2.0, {0, 0, 0}, {0, 1e-200, 0})), Vec3(0, 1, 0));
-}
+TEST(CameraPlacing, AViewOfTheSmallestLengthIsKept) { EXPECT_EQ(view(placed(2.0, {0, 0, 0}, {0, 1e-200, 0})), Vec3(0, 1, 0)); }
 
 TEST(CameraPlacing, TooFarFromTheSceneIsRefusedWithItsPlace) {
   try {

@@ -178,7 +178,7 @@ TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
   EXPECT_NEAR(links.factors[0], 25.0F / 10025.0F, 4.0F * std::sqrt(25.0F / 10025.0F / 4096.0F));
 }
 
-/// Tiles on a floor and on a ceiling, of one object or each by itself.
+/// Tiles on a floor and on a ceiling, of one object, or an object each.
 Scene tiles(int side, bool apart) {
   made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));

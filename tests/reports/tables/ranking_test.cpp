@@ -151,10 +151,9 @@ TEST(Ranking, GeometricMeanRanksAndFront) {
 }
 
 TEST(Ranking, TheGeometricMeanHasItsIntervalAndItsMarks) {
-  const Study study =
-      study_of({"a", "b"}, {run_of("a", "pathtracer", "pt", 1.0, 0.2), run_of("b", "pathtracer", "pt", 1.0, 0.2),
-                            with_interval(run_of("a", "m", "m", 0.1, 0.2), 0.1, 0.4),
-                            with_interval(run_of("b", "m", "m", 0.1, 0.1), 0.05, 0.2)});
+  const Study study = study_of({"a", "b"}, {run_of("a", "pathtracer", "pt", 1.0, 0.2), run_of("b", "pathtracer", "pt", 1.0, 0.2),
+                                            with_interval(run_of("a", "m", "m", 0.1, 0.2), 0.1, 0.4),
+                                            with_interval(run_of("b", "m", "m", 0.1, 0.1), 0.05, 0.2)});
   const auto rows = rank(study, key);
   const RankingRow& m = row_of(rows, "m");
   EXPECT_NEAR(*m.geometric_mean, 20.0, 1e-9);  // 10 and 40

@@ -159,7 +159,8 @@ TEST_F(StudyFixture, SceneTableShowsADashForWhatWasNotMeasured) {
   const Table whole = scene_table(study, 0, {Domain::surface, Component::indirect, "relative_rmse"});
   for (const auto& row : whole.rows) EXPECT_EQ(row.size(), whole.columns.size());
   EXPECT_THAT(to_csv(whole), HasSubstr("relative_rmse,relative_rmse_ci95_low,relative_rmse_ci95_high,relative_rmse_resolved,"));
-  EXPECT_THAT(to_csv(whole), HasSubstr("speed_up,speed_up_ci95_low,speed_up_ci95_high,speed_up_is_lower_bound,speed_up_extrapolated,"));
+  EXPECT_THAT(to_csv(whole),
+              HasSubstr("speed_up,speed_up_ci95_low,speed_up_ci95_high,speed_up_is_lower_bound,speed_up_extrapolated,"));
   const Table table = shown(whole);
   ASSERT_EQ(table.rows.size(), 9U);
   EXPECT_EQ(table.rows[0][0].text, "pathtracer 16 spp");
