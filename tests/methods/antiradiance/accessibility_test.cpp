@@ -152,17 +152,19 @@ double square_share(double half_side, double height) {
 
 TEST(Accessibility, OfTwoPassesIsTheMeanOfTheFirstAndTheSecond) {
   const double each = square_share(0.5, 1.0);
-  // Of the low plate's upper side the high one leaves this much, in the mean over it.
+  // Of the low plate's upper side the high one leaves this much, in the mean over what the point sees of it.
   constexpr int steps = 40;
-  double open = 0.0;
+  double open = 0.0, shares = 0.0;
   for (int i = 0; i < steps; ++i)
     for (int k = 0; k < steps; ++k) {
       const Vec3 at((static_cast<float>(i) + 0.5F) / steps - 0.5F, 1.0F, (static_cast<float>(k) + 0.5F) / steps - 0.5F);
       const std::array<Vec3, 4> high{Vec3(-1.0F, 2.0F, -1.0F), Vec3(1.0F, 2.0F, -1.0F), Vec3(1.0F, 2.0F, 1.0F),
                                      Vec3(-1.0F, 2.0F, 1.0F)};
-      open += 1.0 - static_cast<double>(polygon_form_factor(at, {0.0F, 1.0F, 0.0F}, high));
+      const double share = std::pow(static_cast<double>(glm::dot(at, at)), -2.0);  // cos cos / r², at a height of 1
+      open += share * (1.0 - static_cast<double>(polygon_form_factor(at, {0.0F, 1.0F, 0.0F}, high)));
+      shares += share;
     }
-  open /= steps * steps;
+  open /= shares;
   // The first pass: both block whole. The second: the low one blocks what reaches it. The third is the second again.
   const double first = 1.0 - 2.0 * each, second = 1.0 - each - each * open;
   Task task;

@@ -160,7 +160,7 @@ TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
   Task task;
   const Settings rule = settings({{"elements", "20"}, {"closure_rays", "0"}});
   const Discretisation parts(*scene.world, rule, task);
-  // One node over all of the sender, and one over the receiver.
+  // A node over the large square and some of the small ones, and one of the receiver.
   const auto node_of = [&](std::uint32_t sheet) {
     const auto nodes = parts.hierarchy.nodes();
     for (std::uint32_t i = 0; i < nodes.size(); ++i)
@@ -173,9 +173,18 @@ TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
   links.senders.push_back({sender});
   links.factors.push_back(1.0F);
   trace_links(*scene.world, parts.elements, parts.hierarchy, 4096, links, task);
-  // Free are 25 cm² of 10025.
-  ASSERT_EQ(links.size(), 1U);
-  EXPECT_NEAR(links.factors[0], 25.0F / 10025.0F, 4.0F * std::sqrt(25.0F / 10025.0F / 4096.0F));
+  const Node& node = parts.hierarchy.nodes()[sender];
+  float free = 0.0F, elements = 0.0F;
+  for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf) {
+    const Disc& disc = parts.elements.disc(parts.hierarchy.order()[leaf]);
+    if (disc.centre.x > 0.0F) free += disc.area, elements += 1.0F;
+  }
+  const float share = free / node.area;
+  ASSERT_GT(elements, 20.0F);
+  ASSERT_LT(share, 0.01F);
+  // Of 4096 rays; none of them free would take out the link.
+  const float seen = links.size() == 1 ? links.factors[0] : 0.0F;
+  EXPECT_NEAR(seen, share, 4.0F * std::sqrt(share / 4096.0F));
 }
 
 /// Tiles on a floor and on a ceiling, of one object, or an object each.
