@@ -13,6 +13,9 @@ if [ $# -gt 0 ]; then
   exec "$gibench" "$@"
 fi
 
-"$gibench" study "$build/share/gibench/scenes/studies/quick.study.json" --out out/quick
+status=0
+"$gibench" study "$build/share/gibench/scenes/studies/quick.study.json" --out out/quick || status=$?
+if [ "$status" -ne 0 ] && [ "$status" -ne 4 ]; then exit "$status"; fi  # with 4 runs failed, and the report shows which
 "$gibench" report out/quick
 printf '\nThe report: %s\n' "$PWD/out/quick/report/index.html"
+exit "$status"

@@ -12,11 +12,12 @@
 #include "bench/measure/plan_options.h"
 #include "bench/measure/reference_files.h"
 #include "bench/measure/reference_making.h"
+#include "bench/record/file_lock.h"
 #include "bench/record/output_folder.h"
 #include "bench/record/reference_facts.h"
-#include "bench/study/file_lock.h"
 #include "bench/study/shard.h"
 #include "common/core/error.h"
+#include "common/reference/damaged_reference.h"
 
 namespace gibench {
 
@@ -35,7 +36,7 @@ struct ReferenceOptions {
   int replicas = 8;
   std::string shard = "0/1";
   fs::path store = "references", out;
-  bool force = false;
+  bool force = false, remake_damaged = false;
 };
 
 ReferenceGoal goal_of(const ReferenceOptions& options) {
@@ -50,15 +51,28 @@ void check_replicas(const Reference& reference, int replicas, const fs::path& fo
 }
 
 FileLock lock_of(const ReferenceStore& store, const Scene& scene, const ReferenceQuestion& question) {
-  return FileLock(store.folder_of(scene, question).string() + ".lock", FileLock::WhenTaken::wait);
+  const fs::path folder = store.folder_of(scene, question);
+  return FileLock(folder.string() + ".lock", folder, FileLock::WhenTaken::wait, stop_if_cancelled);
+}
+
+/// The stored one; with --remake-damaged none where it is damaged, and `damage` then says how.
+std::optional<Reference> find(const ReferenceOptions& options, const ReferenceStore& store, const Scene& scene,
+                              const ReferenceQuestion& question, std::string& damage) {
+  try {
+    return store.find(scene, question);
+  } catch (const DamagedReference& damaged) {
+    if (!options.remake_damaged) throw;
+    damage = damaged.what();
+    return std::nullopt;
+  }
 }
 
 /// Makes or extends the whole reference in the store.
 Reference make_whole(const ReferenceOptions& options, const LoadedScene& scene, const ReferenceQuestion& question,
-                     const CommonOptions& common) {
+                     const CommonOptions& common, std::string& damage) {
   const ReferenceStore store(options.store);
   const FileLock lock = lock_of(store, scene.scene(), question);
-  Reference reference = store.find(scene.scene(), question).value_or(Reference{question, 0, 0.0, {}, {}});
+  Reference reference = find(options, store, scene.scene(), question, damage).value_or(Reference{question, 0, 0.0, {}, {}});
   if (reference.samples_per_replica > 0) check_replicas(reference, options.replicas, store.folder_of(scene.scene(), question));
   try {
     extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
@@ -77,11 +91,12 @@ fs::path shard_store(const fs::path& store, int shard, int of) { return store / 
 /// The whole, where every shard has its replicates of the same samples; then the parts are removed.
 std::optional<Reference> merge_if_complete(const ReferenceOptions& options, const Scene& scene, const ReferenceQuestion& question,
                                            std::uint64_t samples, int of) {
+  std::string damage;  // of a part: it is not there yet
   const ReferenceStore whole_store(options.store);
   const FileLock lock = lock_of(whole_store, scene, question);
   std::vector<Reference> parts;
   for (int i = 0; i < of; ++i) {
-    auto part = ReferenceStore(shard_store(options.store, i, of)).find(scene, question);
+    auto part = find(options, ReferenceStore(shard_store(options.store, i, of)), scene, question, damage);
     if (!part || part->samples_per_replica != samples) return std::nullopt;
     parts.push_back(std::move(*part));
   }
@@ -96,19 +111,19 @@ std::optional<Reference> merge_if_complete(const ReferenceOptions& options, cons
 
 /// Makes one shard; gives the whole if this was the last.
 std::optional<Reference> make_shard(const ReferenceOptions& options, const LoadedScene& scene, const ReferenceQuestion& question,
-                                    const Shard& shard, const CommonOptions& common) {
+                                    const Shard& shard, const CommonOptions& common, std::string& damage) {
   if (options.target_error)
     throw InputError("--target-error", "shards cannot see one another's errors", "give --samples with --shard");
   if (shard.of > options.replicas)
     throw InputError("--shard", fmt::format("{} shards for {} replicates", shard.of, options.replicas), "ask for fewer shards");
   const std::uint64_t samples = whole_samples(goal_of(options).samples_per_replica, question);
-  const auto whole = ReferenceStore(options.store).find(scene.scene(), question);
+  const auto whole = find(options, ReferenceStore(options.store), scene.scene(), question, damage);
   if (whole) check_replicas(*whole, options.replicas, ReferenceStore(options.store).folder_of(scene.scene(), question));
   if (whole && whole->samples_per_replica >= samples) return whole;
   const ReferenceStore store(shard_store(options.store, shard.index, shard.of));
   {
     const FileLock lock = lock_of(store, scene.scene(), question);
-    auto part = store.find(scene.scene(), question);
+    auto part = find(options, store, scene.scene(), question, damage);
     if (!part && whole) part = shard_of(*whole, shard.index, shard.of);
     Reference reference = part.value_or(Reference{question, 0, 0.0, {}, {}});
     extend_reference(scene, options.measuring, {options.replicas, shard.index, shard.of}, goal_of(options), common, reference,
@@ -117,10 +132,14 @@ std::optional<Reference> make_shard(const ReferenceOptions& options, const Loade
   return merge_if_complete(options, scene.scene(), question, samples, shard.of);
 }
 
-void tell(const ReferenceOptions& options, const LoadedScene& scene, const Reference& reference, const CommonOptions& common) {
+void tell(const ReferenceOptions& options, const LoadedScene& scene, const Reference& reference, const std::string& damage,
+          const CommonOptions& common) {
   const ReferenceFacts facts = facts_of(scene.scene(), reference);
+  if (!damage.empty() && !common.quiet) fmt::print(stderr, "gibench: warning: made anew: {}\n", damage);
   if (common.json) {
-    print_json(to_json(facts));
+    nlohmann::ordered_json json = to_json(facts);
+    if (!damage.empty()) json[remade_key] = damage;
+    print_json(json);
     return;
   }
   if (!common.quiet)
@@ -141,9 +160,11 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
   measuring.reference_seed = common.seed;
   const ReferenceQuestion question = question_of(scene.scene(), measuring);
   std::optional<OutputFolder> folder;
-  if (!options.out.empty()) folder.emplace(options.out, reference_file, options.force);
-  const std::optional<Reference> made =
-      shard.of == 1 ? make_whole(options, scene, question, common) : make_shard(options, scene, question, shard, common);
+  if (!options.out.empty())
+    folder.emplace(options.out, reference_file, options.force, FileLock::WhenTaken::wait, stop_if_cancelled);
+  std::string damage;
+  const std::optional<Reference> made = shard.of == 1 ? make_whole(options, scene, question, common, damage)
+                                                      : make_shard(options, scene, question, shard, common, damage);
   if (!made) {
     if (common.json) print_json({{"shard", options.shard}, {"complete", false}});
     else if (!common.quiet) fmt::print("shard {} is done; the reference is whole when the others are\n", options.shard);
@@ -154,7 +175,7 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
     stop_if_cancelled();
     folder->commit();
   }
-  tell(options, scene, *made, common);
+  tell(options, scene, *made, damage, common);
   return ExitStatus::done;
 }
 
@@ -183,6 +204,8 @@ void add_reference(CLI::App& app, Call& call) {
   verb->add_option("--out", options->out, "Also write reference.exr and reference.json into this folder")
       ->type_name(value_kind::folder);
   verb->add_flag("--force", options->force, "Replace an older --out");
+  verb->add_flag("--remake-damaged", options->remake_damaged,
+                 "Make a stored reference that is damaged anew; without it that is an error");
   verb->callback([&call, options] { call.action = [&call, options] { return reference(*options, call.common); }; });
 }
 

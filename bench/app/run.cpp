@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -29,9 +30,16 @@ struct RunOptions {
   PlanOptions plan;
   std::optional<int> per_bounce;
   std::string reference = "auto", store = "references";
+  std::vector<std::string> reference_states;
   std::filesystem::path out;
   bool force = false;
 };
+
+/// Whether errors may be taken against it.
+bool is_wanted(const RunOptions& options, const Scene& scene, const Reference& reference) {
+  const auto& states = options.reference_states;
+  return states.empty() || std::find(states.begin(), states.end(), facts_of(scene, reference).state()) != states.end();
+}
 
 /// The stored reference; if there is none, a warning with the command that makes it. Never makes one itself.
 std::optional<Reference> stored_reference(const RunOptions& options, const Scene& scene, std::vector<std::string>& warnings) {
@@ -41,7 +49,12 @@ std::optional<Reference> stored_reference(const RunOptions& options, const Scene
   auto found = ReferenceStore(folder).find(scene, question_of(scene, options.measuring));
   const std::string command =
       fmt::format("gibench reference {} --references {}{}", options.scene, folder, command_line_of(options.measuring));
-  if (!found && named)
+  if (found && !is_wanted(options, scene, *found))
+    throw InputError(
+        "--reference-state",
+        fmt::format("the stored reference is in the state {}, not one of those named", facts_of(scene, *found).state()),
+        "name it, or leave the option out");
+  if (!found && (named || !options.reference_states.empty()))
     throw InputError("--reference " + folder, "holds no reference of this scene and question", "make it: " + command);
   if (!found) warnings.push_back("no stored reference, so no errors; make one: " + command);
   return found;
@@ -57,7 +70,8 @@ std::string command_for(const RunOptions& options, const std::string& light_path
 }
 
 std::optional<Reference> reference_of(const RunOptions& options, const Scene& scene, const std::string& light_paths) {
-  return ReferenceStore(store_of(options)).find(scene, restricted_to(question_of(scene, options.measuring), light_paths));
+  auto found = ReferenceStore(store_of(options)).find(scene, restricted_to(question_of(scene, options.measuring), light_paths));
+  return found && is_wanted(options, scene, *found) ? std::move(found) : std::nullopt;
 }
 
 /// Model error (of the paths that a method lacks) and discretisation error (on those that it has).
@@ -199,6 +213,12 @@ void add_run(CLI::App& app, Call& call) {
   verb->add_option("--references", options->store, "Folder of the reference store for --reference auto")
       ->type_name(value_kind::folder)
       ->capture_default_str();
+  verb->add_option(
+          "--reference-state", options->reference_states,
+          "A state of a stored reference (its key, and its paths for a value in all) in which it is taken; in another it is "
+          "not; may be given again")
+      ->type_name("KEY:PATHS")
+      ->take_all();
   verb->add_option("--out", options->out,
                    "Folder for result.json, image.exr, previews and log.txt; without it nothing is written")
       ->type_name(value_kind::folder);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -10,8 +11,9 @@
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/scene_search.h"
-#include "bench/study/file_lock.h"
+#include "bench/record/file_lock.h"
 #include "bench/study/study_runner.h"
+#include "common/core/atomic_file.h"
 #include "common/core/error.h"
 
 namespace gibench {
@@ -40,13 +42,30 @@ void list_runs(const Study& study, bool json) {
   if (json) print_json(list);
 }
 
+/// Nothing but the locks of studies: one that has only just begun.
+bool holds_only_locks(const fs::path& folder) {
+  const fs::directory_iterator entries(folder);
+  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename().string();
+    return name.starts_with("study-") && name.ends_with(".lock");
+  });
+}
+
 /// Accepts a folder that is new, empty or a study's.
 void check_folder(const fs::path& out) {
   std::error_code ignored;
   if (!fs::exists(out, ignored)) return;
   if (!fs::is_directory(out, ignored)) throw InputError(out.string(), "is not a folder", "choose another --out");
-  if (!fs::is_empty(out, ignored) && !fs::exists(out / "runs", ignored))
+  if (!fs::exists(out / "runs", ignored) && !holds_only_locks(out))
     throw InputError(out.string(), "is not empty and holds no study", "choose another --out");
+}
+
+/// Throws WorkError where something was to be done and is not.
+void check_done(const StudyRunner& runner, const std::string& name) {
+  const std::vector<std::string>& lacking = runner.not_done();
+  if (lacking.empty()) return;
+  const std::string more = lacking.size() == 1 ? "" : fmt::format(" (and {} more, see {})", lacking.size() - 1, manifest_file);
+  throw WorkError(fmt::format("{}: not done: {}{}; the same command tries again", name, lacking.front(), more));
 }
 
 void print_summary(const StudyRecord& record, const fs::path& out) {
@@ -65,14 +84,15 @@ ExitStatus study(StudyOptions options, const CommonOptions& common) {
     return ExitStatus::done;
   }
   if (options.settings.out.empty()) throw InputError("--out", "is missing", "name the folder for the results");
-  check_folder(options.settings.out);
-  const FileLock lock(options.settings.out / fmt::format("study-{}.lock", options.settings.shard.index),
-                      FileLock::WhenTaken::refuse);
+  const fs::path out = options.settings.out = followed(options.settings.out);
+  check_folder(out);
+  const FileLock lock(out / fmt::format("study-{}.lock", options.settings.shard.index), out, FileLock::WhenTaken::refuse);
   StudyRunner runner(study, options.settings, common);
   runner.run();
   const StudyRecord record = runner.record();
   if (common.json) print_json(to_json(record));
-  else if (!common.quiet) print_summary(record, options.settings.out);
+  else if (!common.quiet) print_summary(record, out);
+  check_done(runner, study.name);
   return ExitStatus::done;
 }
 

@@ -28,7 +28,7 @@ void write_reference_files(const std::filesystem::path& folder, const Scene& sce
     exposure = exposure_for(scene, total);
     write_exr(folder / "reference.exr", camera.width, camera.height, layers, header);
   }
-  ReferenceRecord record{facts, scene.name, exposure, std::nullopt, version(), commit()};
+  ReferenceRecord record{facts, scene.name, exposure, std::nullopt, version(), commit(), checksums_of(folder, {reference_file})};
   if (const auto& camera = reference.question.camera) record.camera = {camera->name, camera->width, camera->height};
   write_file_atomically(folder / reference_file, to_json(record).dump(2) + "\n");
 }

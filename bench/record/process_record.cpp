@@ -26,11 +26,15 @@ void add_to_entry(const ProcessRecord& record, Json& entry) {
   write_field(entry, "wall_seconds", record.wall_seconds);
   write_field(entry, "peak_bytes", record.peak_bytes);
   write_field(entry, "process_peak_bytes", record.process_peak_bytes);
+  write_field(entry, "reference", record.reference);
+  write_field(entry, "path_reference", record.path_reference);
+  if (!record.files.empty()) entry["files"] = to_json(record.files);
 }
 
 Json to_json(const ProcessRecord& record) {
   Json json{{"key", record.key}};
   add_to_entry(record, json);
+  seal(json);
   return json;
 }
 
@@ -45,6 +49,9 @@ ProcessRecord process_of_entry(const Json& entry) {
   read_field(entry, "wall_seconds", record.wall_seconds);
   read_field(entry, "peak_bytes", record.peak_bytes);
   read_field(entry, "process_peak_bytes", record.process_peak_bytes);
+  read_field(entry, "reference", record.reference);
+  read_field(entry, "path_reference", record.path_reference);
+  record.files = file_checksums_of(object_field(entry, "files"));
   record.error = find_named(all_error_codes, error);
   if (const auto known = find_named(all_run_statuses, status)) record.status = *known;
   else record.message = "unknown status '" + status + "' in the manifest" + (record.message.empty() ? "" : "; " + record.message);
@@ -55,10 +62,12 @@ std::optional<ProcessRecord> read_process_record(const std::filesystem::path& fi
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::nullopt;
   const Json json = Json::parse(read_file(file), nullptr, false);
-  if (!json.is_object()) return std::nullopt;
+  if (!json.is_object() || seal_of(json) != Seal::fits) return std::nullopt;
   try {
     return process_of_entry(json);
   } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }

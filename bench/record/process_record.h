@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/record/checksums.h"
 #include "bench/record/error_record.h"
 
 namespace gibench {
@@ -29,14 +30,18 @@ struct ProcessRecord {
   std::optional<double> wall_seconds;       ///< of the whole process
   std::optional<std::uint64_t> peak_bytes;  ///< of the work, as its record says, else of the process
   std::optional<std::uint64_t> process_peak_bytes;
+  std::optional<std::string> reference;       ///< state of the one that errors were taken against; empty: none
+  std::optional<std::string> path_reference;  ///< of the one of the method's light paths
+  FileChecksums files;                        ///< of what the run left, the log and this record excepted
 };
 
+/// With a checksum of its own.
 nlohmann::ordered_json to_json(const ProcessRecord& record);
 /// Adds to a manifest's entry what the record says, without the key.
 void add_to_entry(const ProcessRecord& record, nlohmann::ordered_json& entry);
 /// What a manifest's entry says of its process; an unknown status is read as failed, with a message.
 ProcessRecord process_of_entry(const nlohmann::ordered_json& entry);
-/// Empty where the file is absent or damaged.
+/// Empty where the file is absent, damaged or without its checksum.
 std::optional<ProcessRecord> read_process_record(const std::filesystem::path& file);
 
 }  // namespace gibench

@@ -19,6 +19,8 @@ std::optional<double> error_of(const ReferenceValues& values) {
 
 }  // namespace
 
+std::string ReferenceFacts::state() const { return key + ":" + std::to_string(total_samples()); }
+
 double ReferenceFacts::relative_standard_error() const {
   return std::max(surface_error.value_or(0.0), image_error.value_or(0.0));
 }

@@ -20,9 +20,14 @@ struct ReferenceFacts {
 
   /// Paths for each value in all, over replicates.
   std::uint64_t total_samples() const { return samples_per_replica * replicas; }
+  /// Key and paths, "KEY:PATHS": another state gives other errors.
+  std::string state() const;
   /// The larger of the two.
   double relative_standard_error() const;
 };
+
+/// Name of the entry beside the facts that `gibench reference` prints where it made a damaged reference anew: what was damaged.
+inline constexpr const char* remade_key = "remade";
 
 ReferenceFacts facts_of(const Scene& scene, const Reference& reference);
 

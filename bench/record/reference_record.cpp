@@ -11,11 +11,14 @@ Json to_json(const ReferenceRecord& record) {
   if (record.camera) write_camera(json, *record.camera);
   json["version"] = record.version;
   json["commit"] = record.commit;
+  if (!record.files.empty()) json["files"] = to_json(record.files);
+  seal(json);
   return json;
 }
 
 ReferenceRecord read_reference_record(const std::filesystem::path& file) {
   return read_record(file, "a record of a reference", [](const Json& json) {
+    if (seal_of(json) == Seal::broken) throw InputError("checksum", "does not fit what the file says");
     ReferenceRecord record;
     record.facts = reference_facts_of(json);
     read_field(json, "scene", record.scene);
@@ -23,6 +26,7 @@ ReferenceRecord read_reference_record(const std::filesystem::path& file) {
     record.camera = camera_in(json);
     read_field(json, "version", record.version);
     read_field(json, "commit", record.commit);
+    record.files = file_checksums_of(object_field(json, "files"));
     return record;
   });
 }

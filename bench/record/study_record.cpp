@@ -85,6 +85,7 @@ StudyRecord study_record_of(const Json& json) {
   record.scenes = list_in(json, "scenes", scene_of);
   record.runs = list_in(json, "runs", run_of);
   record.relights = list_in(json, "relights", run_of);
+  record.damaged = seal_of(json) == Seal::broken;
   return record;
 }
 

@@ -49,10 +49,12 @@ struct StudyRecord {
   std::shared_ptr<const nlohmann::json> study;  ///< the study file as it was read; empty: not recorded
   std::vector<StudySceneRecord> scenes;
   std::vector<StudyRunRecord> runs, relights;
+  bool damaged = false;  ///< as it was read: its checksum does not fit what it says
 };
 
 nlohmann::ordered_json to_json(const StudySceneRecord& scene);
 nlohmann::ordered_json to_json(const StudyRunRecord& run);
+/// Without the checksum that the file has.
 nlohmann::ordered_json to_json(const StudyRecord& record);
 /// Throws InputError that names the file.
 StudyRecord read_study_record(const std::filesystem::path& file);

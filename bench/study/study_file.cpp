@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -73,6 +74,16 @@ std::size_t scene_named(const std::string& name, const JsonPlace& place, const s
   throw InputError(place.text(), fmt::format("the study has no scene '{}'", name), "its scenes: " + known);
 }
 
+/// Throws InputError for a run whose folder would have a name longer than file systems take. `place` is where to shorten it.
+void check_length(const StudyScene& scene, const std::string& label, const JsonPlace& place) {
+  const std::size_t bytes = folder_name(scene, label).size();
+  if (bytes > most_name_bytes)
+    throw InputError(place.text(),
+                     fmt::format("with the scene '{}' it makes a folder name of {} bytes, and {} is the most", scene.name, bytes,
+                                 most_name_bytes),
+                     "shorten it, or the name of the scene's file");
+}
+
 std::set<std::size_t> scenes_of(const json& entry, const JsonPlace& place, const std::vector<StudyScene>& scenes) {
   std::set<std::size_t> chosen;
   const json names = entry.value("scenes", json::array());
@@ -106,6 +117,9 @@ void add_variants(const json& entry, const JsonPlace& place, double tolerance, S
     for (const StudyVariant& other : variants)
       if (other.label == variant.label)
         throw InputError(place.text(), fmt::format("'{}' appears twice", variant.label), "give one of them another \"label\"");
+    const JsonPlace named_at = entry.contains("label") ? place["label"] : swept.empty() ? place["method"] : place["sweep"];
+    for (std::size_t s = 0; s < study.scenes.size(); ++s)
+      if (variant.runs_on(s)) check_length(study.scenes[s], variant.label, named_at);
     variants.push_back(std::move(variant));
   }
 }
@@ -167,6 +181,8 @@ void read_relights(const json& list, const JsonPlace& place, const fs::path& fol
     for (const StudyRelight& other : study.relights)
       if (other.scene == relight.scene && other.label == relight.label)
         throw InputError(place[i].text(), fmt::format("'{}' appears twice", relight.label), "give one of them another \"label\"");
+    check_length(study.scenes[relight.scene], relight_label(relight.label),
+                 list[i].contains("label") ? place[i]["label"] : place[i]["scene"]);
     study.relights.push_back(std::move(relight));
   }
 }
@@ -187,6 +203,15 @@ void read_measuring(const json& value, const JsonPlace& place, MeasuringOptions&
 }
 
 }  // namespace
+
+std::string folder_name(const StudyScene& scene, const std::string& label) {
+  std::string name = scene.name + "." + label;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '=' && c != '_' && c != '-') c = '-';
+  return name;
+}
+
+std::string relight_label(const std::string& label) { return "relight." + label; }
 
 Study read_study(const fs::path& file) {
   const JsonPlace top(file.string());

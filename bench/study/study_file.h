@@ -65,8 +65,17 @@ struct Study {
   std::optional<std::uint64_t> memory_limit_bytes;
 };
 
+/// The name of a run's folder as its scene and label make it: one that every file system takes.
+std::string folder_name(const StudyScene& scene, const std::string& label);
+/// As it stands in the name of a relighting's folder.
+std::string relight_label(const std::string& label);
+/// Of a folder's name: file systems take 255, and what is made beside it has up to 32 more in its name
+/// (".99999", ".new-99999.partial").
+inline constexpr std::size_t most_name_bytes = 223;
+
 /// Reads, validates and expands the sweeps. Throws InputError with file, JSON path and how to fix it: unknown keys, methods and
-/// parameters (the known ones listed), values out of range, labels or scenes that appear twice, scenes that do not exist.
+/// parameters (the known ones listed), values out of range, labels or scenes that appear twice, labels that
+/// make too long a name, scenes that do not exist.
 Study read_study(const std::filesystem::path& file);
 
 }  // namespace gibench

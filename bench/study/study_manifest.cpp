@@ -1,17 +1,17 @@
 /// The record of a study while it runs, collected from its folder.
 #include <nlohmann/json.hpp>
 
+#include "bench/record/checksums.h"
+#include "bench/record/file_lock.h"
 #include "bench/study/study_runner.h"
 #include "common/core/atomic_file.h"
 
 namespace gibench {
 
+using Json = nlohmann::ordered_json;
+
 std::string StudyRunner::key_of(const PlannedRun& run) const {
-  const SceneState& scene = scenes_[run.scene];
-  // The samples of the reference count: a better one gives other errors.
-  const std::string reference_state =
-      scene.reference ? scene.reference->facts.key + std::to_string(scene.reference->facts.total_samples()) : "none";
-  return run_key(study_, run, common_, scene.check.value().analysis.key, reference_state);
+  return run_key(study_, run, common_, scenes_[run.scene].check.value().analysis.key);
 }
 
 std::string StudyRunner::key_of(const PlannedRelight& planned) const {
@@ -31,10 +31,8 @@ StudySceneRecord StudyRunner::record_of_scene(std::size_t scene) const {
     if (!record.camera && (study_.measuring.camera.empty() || camera.name == study_.measuring.camera))
       record.camera = camera.name;
   record.exposure = state.check->exposure;
-  if (!state.reference) {
-    record.message = state.reference_message;
-    return record;
-  }
+  record.message = state.reference_message;
+  if (!state.reference) return record;
   if (!record.exposure) record.exposure = state.reference->exposure;
   if (const auto& camera = state.reference->camera) record.resolution = {camera->width, camera->height};
   record.reference = "references/" + record.name;
@@ -48,7 +46,7 @@ ProcessRecord StudyRunner::outcome_of(const Planned& planned, std::size_t scene)
   not_run.message = scenes_[scene].skipped.value_or("not run yet");
   if (scenes_[scene].skipped) return not_run;
   const auto recorded = read_process_record(folders_.run(planned.id) / process_file);
-  return recorded && recorded->key == key_of(planned) ? *recorded : not_run;
+  return recorded && is_current(*recorded, planned) ? *recorded : not_run;
 }
 
 StudyRunRecord StudyRunner::record_of(const PlannedRun& run) const {
@@ -88,7 +86,11 @@ StudyRecord StudyRunner::record() const {
 
 void StudyRunner::write_manifest() const {
   const std::lock_guard lock(manifest_);
-  write_file_atomically(folders_.manifest(), to_json(record()).dump(2) + "\n");
+  // Of shards at work at the same time the last one to write has seen what all the others finished.
+  const FileLock among_shards(folders_.root / "manifest.lock", folders_.root, FileLock::WhenTaken::wait);
+  Json json = to_json(record());
+  seal(json);
+  write_file_atomically(folders_.manifest(), json.dump(2) + "\n");
 }
 
 }  // namespace gibench

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <set>
+#include <system_error>
 
 #include "bench/measure/measuring_fields.h"
 #include "bench/record/machine.h"
@@ -14,16 +13,8 @@ namespace gibench {
 
 namespace {
 
-/// A file name that every file system takes.
-std::string as_file_name(std::string text) {
-  for (char& c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '=' && c != '_' && c != '-') c = '-';
-  return text;
-}
-
-/// The text as a file name that is not taken yet, and is now.
-std::string free_name(const std::string& text, std::set<std::string>& taken) {
-  const std::string wanted = as_file_name(text);
+/// The name if it is not taken yet, else one that is near; taken it is now.
+std::string free_name(const std::string& wanted, std::set<std::string>& taken) {
   std::string name = wanted;
   for (int copy = 2; !taken.insert(name).second; ++copy) name = wanted + "." + std::to_string(copy);
   return name;
@@ -37,7 +28,7 @@ std::vector<PlannedRun> plan_runs(const Study& study) {
   for (std::size_t s = 0; s < study.scenes.size(); ++s)
     for (std::size_t v = 0; v < study.variants.size(); ++v) {
       if (!study.variants[v].runs_on(s)) continue;
-      runs.push_back({free_name(study.scenes[s].name + "." + study.variants[v].label, taken), s, v});
+      runs.push_back({free_name(folder_name(study.scenes[s], study.variants[v].label), taken), s, v});
     }
   return runs;
 }
@@ -48,15 +39,14 @@ std::vector<PlannedRelight> plan_relights(const Study& study) {
   for (const PlannedRun& run : plan_runs(study)) taken.insert(run.id);
   for (std::size_t i = 0; i < study.relights.size(); ++i) {
     const StudyRelight& relight = study.relights[i];
-    planned.push_back({free_name(study.scenes[relight.scene].name + ".relight." + relight.label, taken), i});
+    planned.push_back({free_name(folder_name(study.scenes[relight.scene], relight_label(relight.label)), taken), i});
   }
   return planned;
 }
 
-std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key,
-                    const std::string& reference_state) {
+std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key) {
   KeyBuilder key;
-  key.add(version()).add(commit()).add(scene_key).add(reference_state);
+  key.add(version()).add(commit()).add(scene_key);
   const StudyVariant& variant = study.variants[run.variant];
   key.add(variant.method);
   for (const auto& [name, value] : variant.parameters) key.add(name).add(to_text(value));
@@ -76,6 +66,16 @@ std::string relight_key(const StudyRelight& relight, const WorkOptions& common, 
   key.add(common.seed).add(common.threads);
   for (const std::string& argument : arguments_of(relight.options)) key.add(argument);
   return key.hex();
+}
+
+std::filesystem::path StudyFolders::made_beside(std::filesystem::path target) const {
+  return target += shard.of == 1 ? std::string(".new") : fmt::format(".new-{}", shard.index);
+}
+
+void remove_made(const std::filesystem::path& made) {
+  std::error_code ignored;
+  for (const char* ending : {"", ".partial", ".lock"})
+    std::filesystem::remove_all(std::filesystem::path(made) += ending, ignored);
 }
 
 std::vector<std::string> plan_arguments(const PlanOptions& plan) {

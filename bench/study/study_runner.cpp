@@ -3,22 +3,23 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <atomic>
 #include <ctime>
-#include <exception>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <thread>
 
 #include "bench/measure/cancellation.h"
 #include "bench/measure/measuring_fields.h"
+#include "bench/measure/result_files.h"
+#include "bench/record/checksums.h"
 #include "bench/record/process_record.h"
 #include "bench/record/relight_record.h"
 #include "bench/record/run_record.h"
 #include "bench/study/child_outcome.h"
+#include "bench/study/for_each_job.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
+#include "common/core/write_failure.h"
 #include "common/reference/folder_replacement.h"
 
 namespace gibench {
@@ -26,27 +27,6 @@ namespace gibench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Calls work(0), …, work(count − 1) on `jobs` threads; the first exception is thrown here once all threads ended.
-void for_each_job(int jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr first_error;
-  std::mutex error_mutex;
-  const auto take_jobs = [&] {
-    for (std::size_t i = next++; i < count && !cancellation()->load(); i = next++) try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(error_mutex);
-        if (!first_error) first_error = std::current_exception();
-        next = count;
-      }
-  };
-  std::vector<std::thread> threads;
-  for (int i = 1; i < jobs; ++i) threads.emplace_back(take_jobs);
-  take_jobs();
-  for (std::thread& thread : threads) thread.join();
-  if (first_error) std::rethrow_exception(first_error);
-}
 
 /// Of the work, as the run's record says; 0 where there is no record.
 std::uint64_t recorded_peak_bytes(const fs::path& folder) {
@@ -62,8 +42,19 @@ std::uint64_t recorded_peak_bytes(const fs::path& folder) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    throw InputError(folder.string(), "cannot be made (" + error.message() + ")", "choose a folder that you may write to");
+  if (error) throw_write_failure(folder, "cannot be made", error.value(), "choose a folder that you may write to");
+}
+
+/// run.json, where it is there and cannot be used.
+std::vector<DamagedFile> damaged_record(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / process_file, ignored) || read_process_record(folder / process_file)) return {};
+  return {{process_file, "is not as it was written"}};
+}
+
+/// One that is a result: a failure or a crash is tried again.
+bool is_result(RunStatus status) {
+  return status == RunStatus::done || status == RunStatus::refused || status == RunStatus::timed_out;
 }
 
 }  // namespace
@@ -72,7 +63,7 @@ StudyRunner::StudyRunner(const Study& study, StudySettings settings, const WorkO
     : study_(study),
       settings_(std::move(settings)),
       common_(common),
-      folders_{settings_.out},
+      folders_{settings_.out, settings_.shard},
       runs_(plan_runs(study)),
       relights_(plan_relights(study)),
       scenes_(study.scenes.size()),
@@ -98,40 +89,44 @@ std::string StudyRunner::describe_kept() const {
         folder);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (is_due(i) && is_kept(runs_[i].id, key_of(runs_[i]))) ++kept;
+    if (is_due(i) && is_kept(runs_[i])) ++kept;
   for (std::size_t i = 0; i < relights_.size(); ++i)
-    if (is_due(runs_.size() + i) && is_kept(relights_[i].id, key_of(relights_[i]))) ++kept;
+    if (is_due(runs_.size() + i) && is_kept(relights_[i])) ++kept;
   return fmt::format("finished runs kept in {}: {} of {}; the same command{} does the rest", folder, kept, due_,
                      settings_.force ? " without --force" : "");
 }
 
 void StudyRunner::run_stages() {
+  const fs::path scratch = folders_.scratch();
+  std::error_code ignored;
+  fs::remove_all(scratch, ignored);  // left by a study that was killed
   make_folder(folders_.root / "runs");
-  make_folder(folders_.scratch());
+  make_folder(scratch);
   check_scenes();
   write_manifest();
   make_references();
   write_manifest();
   run_all();
   write_manifest();
-  std::error_code ignored;
-  fs::remove(folders_.scratch(), ignored);  // stays while another shard works in it
+  fs::remove_all(scratch, ignored);
   stop_if_cancelled();
 }
 
-ChildResult StudyRunner::child(std::vector<std::string> arguments, const ChildLimits& limits, const std::string& name) const {
+ChildResult StudyRunner::child(std::vector<std::string> arguments, const ChildLimits& limits) const {
   for (const std::string& argument : {std::string("--threads"), std::to_string(common_.threads), std::string("--quiet")})
     arguments.push_back(argument);
-  ChildResult result = run_child(arguments, limits, folders_.scratch(), name);
+  const fs::path scratch = folders_.scratch();
+  const std::string name = std::to_string(children_++);
+  ChildResult result = run_child(arguments, limits, scratch, name);
   std::error_code ignored;
-  for (const char* extension : {".out", ".err", ".error"}) fs::remove(folders_.scratch() / (name + extension), ignored);
+  for (const char* extension : {".out", ".err", ".error"}) fs::remove(scratch / (name + extension), ignored);
   return result;
 }
 
 void StudyRunner::check_scenes() {
   for (std::size_t s = 0; s < scenes_.size(); ++s) {
     const StudyScene& scene = study_.scenes[s];
-    const ChildResult result = child({"check", scene.file.string(), "--json"}, {}, "check-" + scene.name);
+    const ChildResult result = child({"check", scene.file.string(), "--json"}, {});
     stop_if_cancelled();
     if (succeeded(result)) {
       scenes_[s].check = check_record_of(nlohmann::ordered_json::parse(result.out));
@@ -145,38 +140,6 @@ void StudyRunner::check_scenes() {
       throw WorkError(fmt::format("scene {} cannot be checked: {}", scene.name, reason_of(result, {})));
     }
   }
-}
-
-void StudyRunner::make_references() {
-  if (!study_.reference) return;
-  std::vector<bool> needed(scenes_.size(), false);
-  for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (is_own(i)) needed[runs_[i].scene] = true;
-  for_each_job(settings_.jobs, scenes_.size(), [&](std::size_t scene) {
-    if (!needed[scene] || scenes_[scene].skipped) return;
-    make_reference(scene);
-    make_path_references(scene);
-  });
-  stop_if_cancelled();
-}
-
-void StudyRunner::make_reference(std::size_t scene) {
-  SceneState& state = scenes_[scene];
-  const std::string& name = study_.scenes[scene].name;
-  const fs::path folder = folders_.reference(name);
-  std::vector<std::string> arguments = reference_arguments(scene, study_.measuring);
-  arguments.insert(arguments.end(), {"--out", folder.string(), "--force"});
-  const ChildLimits limits = reference_limits();
-  const ChildResult result = child(arguments, limits, "reference-" + name);
-  if (result.end == ChildEnd::cancelled) return;
-  if (const std::string reason = reason_of(result, limits); !reason.empty()) {
-    state.reference_message = "no reference: " + reason;
-    state.reference.reset();
-    tell(fmt::format("{}: {}", name, state.reference_message));
-    return;
-  }
-  state.reference = reference_if_there(name);
-  tell(fmt::format("{}: reference ready, {:.1f} s", name, result.seconds));
 }
 
 bool StudyRunner::is_own(std::size_t place) const {
@@ -200,27 +163,32 @@ void StudyRunner::run_all() {
   progress_->hide();
 }
 
-void StudyRunner::run_for(const std::string& id, const std::string& key,
+template <class Planned>
+void StudyRunner::run_for(const Planned& planned, ProcessRecord asked,
                           const std::function<std::vector<std::string>(const fs::path& made)>& arguments) {
-  if (!settings_.force && is_kept(id, key)) {
-    ++finished_;
-    return;
+  const fs::path folder = folders_.run(planned.id);
+  if (!settings_.force) {
+    const auto recorded = finished(planned);
+    const std::vector<DamagedFile> damaged = recorded ? damaged_files(folder, recorded->files) : damaged_record(folder);
+    if (recorded && damaged.empty()) {
+      ++finished_;
+      return;
+    }
+    if (!damaged.empty())
+      tell(fmt::format("{} {}; it is run again", (folder / damaged.front().name).string(), damaged.front().problem));
   }
-  fs::path made = folders_.run(id);
-  made += ".new";
-  std::error_code ignored;
-  fs::remove_all(made, ignored);
-  const ChildResult result = child(arguments(made), {study_.time_limit_seconds, study_.memory_limit_bytes}, id);
-  if (result.end == ChildEnd::cancelled || cancellation()->load()) {
-    fs::remove_all(made, ignored);
-    return;
-  }
-  keep(id, result, key, made);
+  const fs::path made = folders_.made_beside(folder);
+  remove_made(made);
+  const ChildResult result = child(arguments(made), {study_.time_limit_seconds, study_.memory_limit_bytes});
+  if (result.end == ChildEnd::cancelled || cancellation()->load()) remove_made(made);
+  else keep(planned.id, result, std::move(asked), made);
 }
 
 void StudyRunner::run_one(const PlannedRun& run) {
   const StudyVariant& variant = study_.variants[run.variant];
-  run_for(run.id, key_of(run), [&](const fs::path& made) {
+  ProcessRecord asked;
+  asked.key = key_of(run), asked.reference = scenes_[run.scene].state, asked.path_reference = path_state(run);
+  run_for(run, asked, [&](const fs::path& made) {
     std::vector<std::string> arguments{"run",
                                        study_.scenes[run.scene].file.string(),
                                        "--method",
@@ -233,20 +201,24 @@ void StudyRunner::run_one(const PlannedRun& run) {
                                        "--reference-seed",
                                        std::to_string(study_.measuring.reference_seed),
                                        "--references",
-                                       (folders_.root / "references" / "store").string()};
+                                       folders_.store().string()};
     for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
     const std::vector<std::string> measuring = arguments_of(study_.measuring);
     arguments.insert(arguments.end(), measuring.begin(), measuring.end());
     const std::vector<std::string> plan = plan_arguments(variant.plan);
     arguments.insert(arguments.end(), plan.begin(), plan.end());
-    if (!study_.reference) arguments.insert(arguments.end(), {"--reference", "none"});
+    if (!asked.reference) arguments.insert(arguments.end(), {"--reference", "none"});
+    for (const auto& state : {asked.reference, asked.path_reference})
+      if (state) arguments.insert(arguments.end(), {"--reference-state", *state});
     return arguments;
   });
 }
 
 void StudyRunner::relight_one(const PlannedRelight& planned) {
   const StudyRelight& relight = study_.relights[planned.relight];
-  run_for(planned.id, key_of(planned), [&](const fs::path& made) {
+  ProcessRecord asked;
+  asked.key = key_of(planned);
+  run_for(planned, asked, [&](const fs::path& made) {
     make_folder(made);
     std::vector<std::string> arguments{"relight",  study_.scenes[relight.scene].file.string(),
                                        "--method", relight.method,
@@ -260,27 +232,25 @@ void StudyRunner::relight_one(const PlannedRelight& planned) {
   });
 }
 
-void StudyRunner::keep(const std::string& id, const ChildResult& child_result, const std::string& key, const fs::path& made) {
+void StudyRunner::keep(const std::string& id, const ChildResult& child_result, ProcessRecord entry, const fs::path& made) {
   const ChildLimits limits{study_.time_limit_seconds, study_.memory_limit_bytes};
   const std::string reason = reason_of(child_result, limits);
-  ProcessRecord entry;
-  entry.key = key, entry.status = status_of(child_result), entry.message = reason;
+  entry.status = status_of(child_result), entry.message = reason;
   entry.wall_seconds = child_result.seconds;
   if (child_result.end == ChildEnd::exited) entry.exit_code = child_result.exit_code;
   if (child_result.error) entry.error = child_result.error->code;
   if (child_result.peak_bytes > 0) entry.peak_bytes = entry.process_peak_bytes = child_result.peak_bytes;
   // A run that succeeded records its peak before it loads the library that writes its pictures.
   if (const std::uint64_t peak = recorded_peak_bytes(made); peak > 0) entry.peak_bytes = peak;
+  if (entry.status != RunStatus::done) remove_made(made), entry.reference.reset(), entry.path_reference.reset();
   make_folder(made);  // there already after a run that came to its end
+  entry.files = checksums_of(made, {process_file, log_file});
   write_file_atomically(made / process_file, to_json(entry).dump(2) + "\n");
-  fs::path partial = made;
-  partial += ".partial";
-  std::error_code ignored;
-  fs::remove_all(partial, ignored);  // left by a child that was killed
   replace_folder(made, folders_.run(id));
   const std::size_t finished = ++finished_;
   tell(fmt::format("[{}/{}] {} {}, {:.1f} s{}{}", finished, due_, id, to_string(entry.status), child_result.seconds,
                    reason.empty() ? "" : ": ", reason));
+  if (!is_result(entry.status)) tell_not_done(fmt::format("{} {}: {}", id, to_string(entry.status), reason));
   {
     const std::lock_guard lock(terminal_);
     progress_->update("", static_cast<double>(finished) / static_cast<double>(due_));
@@ -288,11 +258,32 @@ void StudyRunner::keep(const std::string& id, const ChildResult& child_result, c
   write_manifest();
 }
 
-bool StudyRunner::is_kept(const std::string& id, const std::string& key) const {
-  const std::optional<ProcessRecord> recorded = read_process_record(folders_.run(id) / process_file);
-  return recorded && recorded->key == key &&
-         (recorded->status == RunStatus::done || recorded->status == RunStatus::refused ||
-          recorded->status == RunStatus::timed_out);
+bool StudyRunner::is_current(const ProcessRecord& recorded, const PlannedRun& run) const {
+  if (recorded.key != key_of(run)) return false;
+  const SceneState& scene = scenes_[run.scene];
+  if (!scene.references_known || recorded.status != RunStatus::done) return true;
+  // Where a reference cannot be made now, what was held against it before stays.
+  const auto path = path_state(run);
+  return (recorded.reference == scene.state || (!scene.state && recorded.reference == scene.earlier)) &&
+         (recorded.path_reference == path || (!path && scene.paths.contains(run.variant)));
+}
+
+bool StudyRunner::is_current(const ProcessRecord& recorded, const PlannedRelight& relight) const {
+  return recorded.key == key_of(relight);
+}
+
+template <class Planned>
+std::optional<ProcessRecord> StudyRunner::finished(const Planned& planned) const {
+  auto recorded = read_process_record(folders_.run(planned.id) / process_file);
+  const bool stays = recorded && is_current(*recorded, planned) && is_result(recorded->status) &&
+                     (recorded->status != RunStatus::done || !recorded->files.empty());
+  return stays ? recorded : std::nullopt;
+}
+
+template <class Planned>
+bool StudyRunner::is_kept(const Planned& planned) const {
+  const auto recorded = finished(planned);
+  return recorded && damaged_files(folders_.run(planned.id), recorded->files).empty();
 }
 
 /// Empty where there is none or it is damaged.
@@ -305,6 +296,11 @@ std::optional<ReferenceRecord> StudyRunner::reference_if_there(const std::string
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+void StudyRunner::tell_not_done(const std::string& line) {
+  const std::lock_guard lock(terminal_);
+  not_done_.push_back(line);
 }
 
 void StudyRunner::tell(const std::string& line) {

@@ -6,8 +6,8 @@ namespace gibench {
 
 Counters Task::counters() const {
   Counters all = counters_;
-  if (const std::uint64_t n = ray_counts_.closest_hit.load(); n > 0) all.add("closest_hit_rays", n);
-  if (const std::uint64_t n = ray_counts_.occlusion.load(); n > 0) all.add("occlusion_rays", n);
+  all.add("closest_hit_rays", ray_counts_.closest_hit.load());  // none is measured too
+  all.add("occlusion_rays", ray_counts_.occlusion.load());
   return all;
 }
 

@@ -7,8 +7,9 @@
 #include <system_error>
 
 #include "common/core/atomic_file.h"
-#include "common/core/error.h"
 #include "common/core/hash.h"
+#include "common/core/write_failure.h"
+#include "common/reference/damaged_reference.h"
 #include "common/reference/folder_replacement.h"
 #include "common/reference/replica_file.h"
 #include "common/reference/scene_key.h"
@@ -83,17 +84,12 @@ ordered_json describe(const Scene& scene, const Reference& reference, const std:
   return meta;
 }
 
-[[noreturn]] void throw_damaged(const std::filesystem::path& file, const std::string& problem) {
-  throw InputError(file.string(), "the stored reference is damaged: " + problem,
-                   "remove its folder and make it again with gibench reference");
-}
-
 /// The checked contents of a folder's meta.json.
 ordered_json read_meta(const std::filesystem::path& file, const std::string& key) {
   ordered_json meta = ordered_json::parse(read_file(file), nullptr, false);
   if (!meta.is_object() || meta.value("checksum", ordered_json()) != guard_of(meta))
-    throw_damaged(file, "it is not as it was written");
-  if (meta.value("key", ordered_json()) != key) throw_damaged(file, "it belongs to another folder");
+    throw DamagedReference(file, "it is not as it was written");
+  if (meta.value("key", ordered_json()) != key) throw DamagedReference(file, "it belongs to another folder");
   return meta;
 }
 
@@ -110,7 +106,7 @@ std::optional<Reference> ReferenceStore::find(const Scene& scene, const Referenc
   std::error_code unreadable;
   if (!std::filesystem::exists(folder, unreadable)) return std::nullopt;
   const std::filesystem::path meta_file = folder / "meta.json";
-  if (!std::filesystem::exists(meta_file, unreadable)) throw_damaged(meta_file, "it is missing");
+  if (!std::filesystem::exists(meta_file, unreadable)) throw DamagedReference(meta_file, "it is missing");
   const ordered_json meta = read_meta(meta_file, target.filename().string());
   Reference reference;
   reference.question = question;
@@ -128,8 +124,8 @@ void ReferenceStore::save(const Scene& scene, const Reference& reference) const 
   std::error_code failure;
   std::filesystem::create_directories(made, failure);
   if (failure)
-    throw InputError(folder_.string(), "the reference store cannot be written (" + failure.message() + ")",
-                     "name a folder that may be written to");
+    throw_write_failure(folder_, "the reference store cannot be written", failure.value(),
+                        "name a folder that may be written to");
   try {
     ordered_json meta = describe(scene, reference, target.filename().string());
     for (const Part& part : parts)

@@ -17,10 +17,10 @@ class ReferenceStore {
  public:
   explicit ReferenceStore(std::filesystem::path folder);
 
-  /// Empty where there is none. Throws InputError for a damaged one, with its file.
+  /// Empty where there is none. Throws DamagedReference for a damaged one, with its file.
   std::optional<Reference> find(const Scene& scene, const ReferenceQuestion& question) const;
   /// Writes or replaces the reference of this question, whole: a reader, or the next run after a kill, finds the old
-  /// one or the new one. InputError if the store cannot be written.
+  /// one or the new one. Throws as a write does if the store cannot be written.
   void save(const Scene& scene, const Reference& reference) const;
   std::filesystem::path folder_of(const Scene& scene, const ReferenceQuestion& question) const;
 

@@ -8,6 +8,7 @@
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/core/hash.h"
+#include "common/reference/damaged_reference.h"
 
 namespace gibench {
 
@@ -28,9 +29,7 @@ std::uint64_t checksum_of(const Header& header, const char* data, std::size_t si
 }
 
 void check_file(bool good, const std::filesystem::path& file, const std::string& problem) {
-  if (!good)
-    throw InputError(file.string(), "the stored reference is damaged: " + problem,
-                     "remove its folder and make it again with gibench reference");
+  if (!good) throw DamagedReference(file, problem);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace gibench {
 /// Writes the file whole or not at all; returns its checksum.
 std::uint64_t write_replicas(const std::filesystem::path& file, const Replicas& replicas);
 
-/// InputError with the file's name if it is missing, truncated, changed, not of this format, holds a value that is not
+/// DamagedReference with the file's name if it is missing, truncated, changed, not of this format, holds a value that is not
 /// finite, or is another file than the one with `checksum`.
 Replicas read_replicas(const std::filesystem::path& file, std::uint64_t checksum);
 

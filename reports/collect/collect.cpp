@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "bench/record/checksums.h"
 #include "bench/record/reference_record.h"
 #include "bench/record/relight_record.h"
 #include "bench/record/study_record.h"
@@ -29,6 +30,12 @@ std::string bounces_text(const BoundRecord& bound) {
   return (bound.most ? exact(*bound.most) : std::string("not bounded")) + " (for " + exact(bound.tolerance) + " of the light)";
 }
 
+/// Names the file and the remedy.
+std::string damage_text(const Study& study, const fs::path& folder, const DamagedFile& damaged, const std::string& remedy) {
+  const std::string file = (folder / damaged.name).string();
+  return without_folder(study, file + ": " + damaged.problem + "; run the study again: " + remedy);
+}
+
 StudyScene scene_of(const StudySceneRecord& record, Study& study) {
   StudyScene scene;
   scene.name = record.name;
@@ -44,7 +51,10 @@ StudyScene scene_of(const StudySceneRecord& record, Study& study) {
   const fs::path file = scene.reference_folder / reference_file;
   if (scene.reference_folder.empty() || !fs::exists(file)) return scene;
   try {
-    scene.reference = facts_of(to_json(read_reference_record(file)));
+    const ReferenceRecord reference = read_reference_record(file);
+    scene.reference = facts_of(to_json(reference), {"files", "checksum"});
+    for (const DamagedFile& damaged : damaged_files(scene.reference_folder, reference.files))
+      study.warnings.push_back(damage_text(study, scene.reference_folder, damaged, "it writes the picture again"));
   } catch (const InputError& error) {
     study.warnings.push_back(without_folder(study, error.what()));
   }
@@ -76,23 +86,41 @@ void read_or_fail(const std::string& what, Outcome& outcome, Study& study, const
   }
 }
 
+/// Files that changed since the study wrote them are told; without its record as it was written, `what` is a failure.
+template <class Outcome>
+void check_files(const std::string& what, const StudyRunRecord& record, const std::string& its_record, Outcome& outcome,
+                 Study& study) {
+  const fs::path folder = inside(study.folder, record.folder);
+  if (folder.empty() || outcome.status != RunStatus::done) return;
+  for (const DamagedFile& damaged : damaged_files(folder, record.process.files)) {
+    const std::string problem = damage_text(study, folder, damaged, "it does this again");
+    study.warnings.push_back(what + " " + outcome.id + ": " + problem);
+    if (damaged.name != its_record) continue;
+    outcome = outcome_of<Outcome>(record);
+    outcome.status = RunStatus::failed;
+    outcome.message = "its record cannot be used: " + problem;
+  }
+}
+
 StudyRun run_of(const StudyRunRecord& record, Study& study) {
   auto run = outcome_of<StudyRun>(record);
+  const fs::path folder = inside(study.folder, record.folder), file = folder / result_file;
+  const bool there = !folder.empty() && fs::exists(file);
+  if (there || run.status == RunStatus::done) read_or_fail("run", run, study, [&] { read_result(file, run); });
+  check_files("run", record, result_file, run, study);
   run.exit_code = record.process.exit_code;
   run.wall_seconds = record.process.wall_seconds;
-  run.peak_bytes = record.process.peak_bytes;
-  run.folder = inside(study.folder, record.folder);
-  const fs::path file = run.folder / result_file;
-  const bool there = !run.folder.empty() && fs::exists(file);
-  if (there || run.status == RunStatus::done) read_or_fail("run", run, study, [&] { read_result(file, run); });
+  if (record.process.peak_bytes) run.peak_bytes = record.process.peak_bytes;
+  run.folder = folder;
   return run;
 }
 
 StudyRelight relight_of(const StudyRunRecord& record, Study& study) {
   auto relight = outcome_of<StudyRelight>(record);
-  relight.lights = record.lights.value_or("");
   const fs::path file = inside(study.folder, record.folder) / relight_file;
   if (relight.status == RunStatus::done) read_or_fail("relighting", relight, study, [&] { read_relight(file, relight); });
+  check_files("relighting", record, relight_file, relight, study);
+  relight.lights = record.lights.value_or("");
   return relight;
 }
 
@@ -128,6 +156,9 @@ Study collect_study(const fs::path& folder) {
   study.machine = facts_of(to_json(record.origin.machine));
   study.settings = {
       {"seed", std::to_string(record.seed)}, {"threads", std::to_string(record.threads)}, {"jobs", std::to_string(record.jobs)}};
+  if (record.damaged)
+    study.warnings.emplace_back(std::string(manifest_file) +
+                                ": is not as it was written; run the study again: it writes its manifest anew");
   for (const StudySceneRecord& scene : record.scenes) study.scenes.push_back(scene_of(scene, study));
   for (const StudyRunRecord& run : record.runs) study.runs.push_back(run_of(run, study));
   list_missing_scenes(study);

@@ -3,40 +3,17 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <system_error>
 #include <thread>
 
-#include "tests/bench/app/program.h"
+#include "tests/bench/app/small_study.h"
 
 namespace gibench::test {
 namespace {
 
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
-
-Json small_study(const std::vector<int>& samples = {1, 4}) {
-  return {{"gibench_study", 1},
-          {"name", "small"},
-          {"scenes", {"room.scene.json"}},
-          {"methods", {{{"method", "pathtracer"}, {"sweep", {{"samples", samples}}}}}},
-          {"reference", {{"samples", 16}}},
-          {"surface_samples", 64},
-          {"pixel_samples", 1},
-          {"time_limit_seconds", 60}};
-}
-
-Outcome study(const Workshop& shop, const Json& json, const std::vector<std::string>& more = {}, const std::string& before = {}) {
-  shop.write("small.study.json", json);
-  std::vector<std::string> arguments{"study", "small.study.json", "--out", "out"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return shop.gibench(arguments, before);
-}
-
-Json run_of(const Json& manifest, const std::string& id) {
-  for (const Json& run : manifest["runs"])
-    if (run["id"] == id) return run;
-  ADD_FAILURE() << "no run " << id << " in " << manifest["runs"];
-  return {};
-}
 
 TEST(Study, RunsEverythingAndWritesTheManifest) {
   const Workshop shop;
@@ -64,7 +41,8 @@ TEST(Study, RunsEverythingAndWritesTheManifest) {
   EXPECT_EQ(run_of(manifest, "room.pathtracer-samples=4")["parameters"]["samples"], 4);
   EXPECT_TRUE(shop.has("out/references/room/reference.exr"));
   EXPECT_TRUE(shop.has("out/references/room/reference.json"));
-  EXPECT_FALSE(shop.has("out/scratch"));
+  for (const auto& entry : std::filesystem::directory_iterator(shop / "out"))
+    EXPECT_THAT(entry.path().filename(), testing::AnyOf("manifest.json", "runs", "references")) << "nothing is left over";
 }
 
 TEST(Study, ASecondCallKeepsWhatIsFinishedAndDoesTheRest) {
@@ -82,14 +60,24 @@ TEST(Study, ASecondCallKeepsWhatIsFinishedAndDoesTheRest) {
 
 TEST(Study, AnotherSceneOrABetterReferenceRunsAgain) {
   const Workshop shop;
+  const std::string record = "out/runs/room.pathtracer-samples=1/result.json";
   ASSERT_EQ(study(shop, small_study({1})).status, 0);
-  const Json before = shop.read_json("out/runs/room.pathtracer-samples=1/result.json");
+  const Json before = shop.read_json(record);
+  EXPECT_EQ(before["reference"]["samples"], 128);
   Json better = small_study({1});
   better["reference"]["samples"] = 32;
   ASSERT_EQ(study(shop, better).status, 0);
-  const Json after = shop.read_json("out/runs/room.pathtracer-samples=1/result.json");
-  EXPECT_EQ(before["reference"]["samples"], 128);
-  EXPECT_EQ(after["reference"]["samples"], 256);
+  const Json against_better = shop.read_json(record);
+  EXPECT_EQ(against_better["reference"]["samples"], 256);
+  EXPECT_NE(against_better["errors"], before["errors"]);
+  shop.write("room.scene.json", room_scene(0.25));
+  ASSERT_EQ(study(shop, better).status, 0);
+  const Json in_the_dark = shop.read_json(record);
+  EXPECT_NE(in_the_dark["reference"]["key"], before["reference"]["key"]);
+  EXPECT_NE(in_the_dark["errors"], against_better["errors"]);
+  const std::string text = shop.read(record);
+  ASSERT_EQ(study(shop, better).status, 0);
+  EXPECT_EQ(shop.read(record), text) << "nothing changed since";
 }
 
 TEST(Study, ADryRunListsTheRunsAndWritesNothing) {
@@ -131,7 +119,10 @@ TEST(Study, ACrashIsAResultAndIsTriedAgain) {
   Json json = small_study({1, 50000000});
   json.erase("reference");
   // The system ends a process after one second of work with SIGXCPU: a crash as good as any.
-  ASSERT_EQ(study(shop, json, {}, "ulimit -S -t 1;").status, 0);
+  const Outcome outcome = study(shop, json, {}, "ulimit -S -t 1;");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.error, HasSubstr("gibench: small: not done: room.pathtracer-samples=50000000 crashed: "));
+  EXPECT_THAT(outcome.out, HasSubstr("1 crashed, 1 done"));
   const Json crashed = run_of(shop.read_json("out/manifest.json"), "room.pathtracer-samples=50000000");
   EXPECT_EQ(crashed["status"], "crashed");
   EXPECT_THAT(crashed["message"].get<std::string>(), HasSubstr("CPU time limit exceeded"));
@@ -144,7 +135,7 @@ TEST(Study, ARunOverItsMemoryLimitIsStopped) {
   Json json = small_study({50000000});
   json.erase("reference");
   json["memory_limit_mb"] = 2;
-  ASSERT_EQ(study(shop, json).status, 0);
+  EXPECT_EQ(study(shop, json).status, 4);
   const Json run = shop.read_json("out/manifest.json")["runs"][0];
   EXPECT_EQ(run["status"], "failed");
   EXPECT_THAT(run["message"].get<std::string>(), HasSubstr("memory limit"));
@@ -179,18 +170,37 @@ TEST(Study, ShardsShareTheRunsAndEndWithTheWholeManifest) {
 }
 
 TEST(Study, RunsAtOnceGiveTheSameResults) {
-  const Workshop shop;
-  ASSERT_EQ(study(shop, small_study({1, 2, 4}), {"--jobs", "3"}).status, 0);
-  expect_all_done(shop.read_json("out/manifest.json"));
+  const Workshop one_by_one, at_once;
+  ASSERT_EQ(study(one_by_one, small_study({1, 2, 4})).status, 0);
+  ASSERT_EQ(study(at_once, small_study({1, 2, 4}), {"--jobs", "3"}).status, 0);
+  const Json answers = answers_in(one_by_one, "out");
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers_in(at_once, "out"), answers);
 }
 
-/// Kills the study once its first run is finished, and gives what was there then.
+/// Processes that work in a folder.
+int processes_in(const std::filesystem::path& folder) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::error_code gone;
+    const std::filesystem::path works_in = std::filesystem::read_symlink(entry.path() / "cwd", gone);
+    if (!gone && works_in == folder) ++count;
+  }
+  return count;
+}
+
+/// Kills the study in its second run, and gives what was there then.
 TEST(Study, KilledItKeepsFinishedRunsAndLeavesNoChildren) {
   const Workshop shop;
   const Outcome killed =
       study(shop, small_study({1, 50000000}), {},
-            "(while [ ! -e out/runs/room.pathtracer-samples=1/run.json ]; do sleep 0.05; done; sleep 0.4; kill -KILL $$) &");
+            "(while [ ! -e out/runs/room.pathtracer-samples=50000000.new.partial ]; do sleep 0.05; done; kill -KILL $$) &");
   EXPECT_EQ(killed.status, 128 + SIGKILL);
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const std::filesystem::path folder = std::filesystem::canonical(shop.path());
+  while (processes_in(folder) > 0 && std::chrono::steady_clock::now() < patience)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(processes_in(folder), 0) << "the run of the killed study goes on";
   const std::string first = shop.read("out/runs/room.pathtracer-samples=1/result.json");
   EXPECT_TRUE(nlohmann::json::accept(first));
   EXPECT_FALSE(shop.has("out/runs/room.pathtracer-samples=50000000"));

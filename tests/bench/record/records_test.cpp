@@ -136,8 +136,9 @@ TEST(RelightRecord, IsReadAsItWasWritten) {
 
 TEST(ReferenceRecord, IsReadAsItWasWritten) {
   const test::ScratchFolder folder;
-  const ReferenceRecord record{reference_facts(), "box", Exposure{1.0F, -1.0F, 3.0F}, MeasuredCamera{"main", 8, 6}, "1.0",
-                               "c0ffee"};
+  const ReferenceRecord record{
+      reference_facts(),          "box", Exposure{1.0F, -1.0F, 3.0F}, MeasuredCamera{"main", 8, 6}, "1.0", "c0ffee",
+      {{"reference.exr", "00ff"}}};
   write_file_atomically(folder / reference_file, to_json(record).dump(2));
   const ReferenceRecord read = read_reference_record(folder / reference_file);
   EXPECT_EQ(to_json(read).dump(2), to_json(record).dump(2));

@@ -18,7 +18,8 @@ TEST(Task, CountsItsOwnRaysAndNoOthers) {
   second.rays(world).occluded(ray);
   second.count("links", 4);
   EXPECT_EQ(first.counters()["closest_hit_rays"], 10U);
-  EXPECT_EQ(first.counters().values().size(), 1U);
+  EXPECT_EQ(first.counters().values().size(), 2U) << "both kinds of rays and nothing else";
+  EXPECT_EQ(first.counters().values().at("occlusion_rays"), 0U) << "none is measured too";
   EXPECT_EQ(second.counters()["occlusion_rays"], 1U);
   EXPECT_EQ(second.counters()["links"], 4U);
 }
