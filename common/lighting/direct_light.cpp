@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "common/core/sobol.h"
 #include "common/lighting/next_event.h"
@@ -13,121 +14,126 @@ namespace gibench {
 
 namespace {
 
-constexpr std::uint32_t light_place = 0, light_choice = 1, hemisphere = 2, lobe_choice = 3;  // dimension pairs
-constexpr std::size_t batch = 32;                                                            // rays traced together
+// Pairs of dimensions of sample i: a direction and its lobe, then a place and a choice for each group of lights.
+constexpr std::uint32_t hemisphere = 0, lobe_choice = 1, first_of_groups = 2;
+constexpr std::size_t batch = 64;                // rays traced together, and points at most whose rays they are
 constexpr std::size_t most_visited = 64;         // punctual lights that are each given a ray
 constexpr std::size_t most_looked_through = 64;  // emitting triangles that are each tested against a ray
 
-/// The surface point that light is gathered at, with the lobe that weighs it.
-struct Gatherer {
-  const World& world;
-  const SceneLights& lights;
+/// A surface point that light is gathered at, with the lobe that weighs it.
+struct Receiver {
   const SurfaceBsdf& bsdf;
   const SurfaceSample& sample;
   Frame frame;
   Vec3 origin;  ///< of rays
   Vec3 out;     ///< towards the viewer, local
   SobolSequence random;
-  RayStream& rays;
-  const DirectLightOptions& options;
-  NextEvent next_event{lights, 1.0F};
-
-  Rgb from_punctual() const;
-  Rgb from_lights(std::uint32_t begin, std::uint32_t end) const;
-  Rgb from_hemisphere(std::uint32_t begin, std::uint32_t end) const;
-  void find_lights(std::span<const Ray> directions, std::span<Hit> hits) const;
-  Rgb arriving(const Hit& hit, const Vec3& direction, float pdf) const;
 };
 
-/// Light on its way to the surface point, held back until its shadow rays are traced together.
+/// What arrives at a point, by the way it is found. Each sum is taken in the order of the samples, so that it does not depend
+/// on whose rays are traced with this point's.
+struct Arrived {
+  Rgb by_lights, by_hemisphere, by_punctual;
+};
+
+/// Light on its way to surface points, held back until its shadow rays are traced together.
 class PendingLight {
  public:
-  PendingLight(const Gatherer& gatherer, Rgb& sum) : gatherer_(gatherer), sum_(sum) {}
+  PendingLight(const NextEvent& next_event, bool tests_visibility, RayStream& rays)
+      : next_event_(next_event), tests_visibility_(tests_visibility), rays_(rays) {}
 
-  void add(const LightSample& light) {
+  void add(const Receiver& receiver, const LightSample& light, Rgb& sum) {
     if (!(light.pdf > 0.0F)) return;
-    const Vec3 in = gatherer_.frame.to_local(light.direction);
-    const BsdfValue value = gatherer_.bsdf.evaluate(gatherer_.out, in);
+    const Vec3 in = receiver.frame.to_local(light.direction);
+    const BsdfValue value = receiver.bsdf.evaluate(receiver.out, in);
     const Rgb contribution = value.value * light.radiance * (in.z / light.pdf);
     if (is_black(contribution)) return;
     if (count_ == batch) trace();
-    shadow_rays_[count_] = light.shadow_ray(gatherer_.origin);
-    contributions_[count_++] = contribution * gatherer_.next_event.weight(light, value.pdf);
+    shadow_rays_[count_] = light.shadow_ray(receiver.origin);
+    sums_[count_] = &sum;
+    contributions_[count_++] = contribution * next_event_.weight(light, value.pdf);
   }
   void trace() {
     std::array<std::uint8_t, batch> occluded{};
-    if (gatherer_.options.tests_visibility) gatherer_.rays.occlusions({shadow_rays_.data(), count_}, {occluded.data(), count_});
+    if (tests_visibility_ && count_ > 0) rays_.occlusions({shadow_rays_.data(), count_}, {occluded.data(), count_});
     for (std::size_t i = 0; i < count_; ++i)
-      if (!occluded[i]) sum_ += contributions_[i];
+      if (!occluded[i]) *sums_[i] += contributions_[i];
     count_ = 0;
   }
 
  private:
-  const Gatherer& gatherer_;
-  Rgb& sum_;
+  const NextEvent& next_event_;
+  bool tests_visibility_;
+  RayStream& rays_;
   std::array<Ray, batch> shadow_rays_;
   std::array<Rgb, batch> contributions_;
+  std::array<Rgb*, batch> sums_{};
   std::size_t count_ = 0;
 };
 
-/// The sum over all punctual lights.
-Rgb Gatherer::from_punctual() const {
-  Rgb sum;
-  PendingLight pending(*this, sum);
-  for (std::size_t light = 0; light < lights.punctual_count(); ++light) pending.add(lights.punctual(light, sample.position));
-  pending.trace();
-  return sum;
-}
+/// Directions drawn from the lobes of surface points, held back until they are traced together.
+class PendingDirections {
+ public:
+  PendingDirections(const World& world, const SceneLights& lights, const NextEvent& next_event, const DirectLightOptions& options,
+                    RayStream& rays)
+      : world_(world), lights_(lights), next_event_(next_event), options_(options), rays_(rays) {}
 
-/// The sum over light samples [begin, end).
-Rgb Gatherer::from_lights(std::uint32_t begin, std::uint32_t end) const {
-  Rgb sum;
-  PendingLight pending(*this, sum);
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const LightSample light =
-        lights.sample(sample.position, sample.normal, random.pair(i, light_choice).x, random.pair(i, light_place).unit());
-    pending.add(light);
+  void add(const Receiver& receiver, std::uint32_t i, Rgb& sum) {
+    const BsdfSample drawn = receiver.bsdf.sample(receiver.out, receiver.random.pair(i, lobe_choice).unit().x,
+                                                  receiver.random.pair(i, hemisphere).unit());
+    if (is_black(drawn.weight)) return;
+    if (count_ == batch) trace();
+    directions_[count_] = {receiver.origin, 0.0F, receiver.frame.to_world(drawn.in)};
+    drawn_[count_++] = {drawn.weight, drawn.pdf, &receiver.sample, &sum};
   }
-  pending.trace();
-  return sum;
-}
-
-/// The sum over directions [begin, end) drawn from the lobe.
-Rgb Gatherer::from_hemisphere(std::uint32_t begin, std::uint32_t end) const {
-  std::array<Ray, batch> directions;
-  std::array<Hit, batch> hits;
-  std::array<BsdfSample, batch> samples;
-  std::size_t count = 0;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const BsdfSample drawn = bsdf.sample(out, random.pair(i, lobe_choice).unit().x, random.pair(i, hemisphere).unit());
-    if (is_black(drawn.weight)) continue;
-    directions[count] = {origin, 0.0F, frame.to_world(drawn.in)};
-    samples[count++] = drawn;
+  void trace() {
+    find_lights();
+    for (std::size_t i = 0; i < count_; ++i) *drawn_[i].sum += drawn_[i].weight * arriving(i);
+    count_ = 0;
   }
-  find_lights({directions.data(), count}, {hits.data(), count});
-  Rgb sum;
-  for (std::size_t i = 0; i < count; ++i) sum += samples[i].weight * arriving(hits[i], directions[i].direction, samples[i].pdf);
-  return sum;
-}
 
-/// What the rays meet, as far as light may come from there. Where nothing is hidden, a ray meets the emitter that it points
-/// at; among many of them it is looked up as the closest surface.
-void Gatherer::find_lights(std::span<const Ray> directions, std::span<Hit> hits) const {
-  if (options.tests_visibility || (options.surfaces_in_sight && lights.emitter_count() > most_looked_through)) {
-    rays.closest_hits(directions, hits);
-    return;
+ private:
+  struct Drawn {
+    Rgb weight;
+    float pdf = 0.0F;  ///< 0: by a mirror
+    const SurfaceSample* from = nullptr;
+    Rgb* sum = nullptr;
+  };
+
+  /// What the rays meet, as far as light may come from there. Where nothing is hidden, a ray meets the emitter that it points
+  /// at; among many of them it is looked up as the closest surface.
+  void find_lights() {
+    if (count_ == 0) return;
+    if (options_.tests_visibility || (options_.surfaces_in_sight && lights_.emitter_count() > most_looked_through)) {
+      rays_.closest_hits({directions_.data(), count_}, {hits_.data(), count_});
+      return;
+    }
+    for (std::size_t i = 0; i < count_; ++i)
+      hits_[i] = options_.surfaces_in_sight ? lights_.emitter_met(directions_[i].origin, directions_[i].direction) : Hit();
   }
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    hits[i] = options.surfaces_in_sight ? lights.emitter_met(directions[i].origin, directions[i].direction) : Hit();
-}
 
-/// Radiance that a ray drawn with this density (0: a mirror's) brings from a light, times its weight.
-Rgb Gatherer::arriving(const Hit& hit, const Vec3& direction, float pdf) const {
-  if (!hit) return next_event.environment(sample.normal, direction, pdf);
-  const Object& object = world.scene().objects[world.scene().triangle_object[hit.triangle]];
-  const float cosine = -glm::dot(world.normal(hit.triangle), direction);
-  return next_event.emission(sample.position, {hit.triangle, object.material, hit.distance, cosine, object.two_sided}, pdf);
-}
+  /// Radiance that a ray brings from a light, times its weight.
+  Rgb arriving(std::size_t i) const {
+    const Hit& hit = hits_[i];
+    const Drawn& drawn = drawn_[i];
+    const Vec3& direction = directions_[i].direction;
+    if (!hit) return next_event_.environment(drawn.from->normal, direction, drawn.pdf);
+    const Object& object = world_.scene().objects[world_.scene().triangle_object[hit.triangle]];
+    const float cosine = -glm::dot(world_.normal(hit.triangle), direction);
+    return next_event_.emission(drawn.from->position, drawn.from->normal,
+                                {hit.triangle, object.material, hit.distance, cosine, object.two_sided}, drawn.pdf);
+  }
+
+  const World& world_;
+  const SceneLights& lights_;
+  const NextEvent& next_event_;
+  const DirectLightOptions& options_;
+  RayStream& rays_;
+  std::array<Ray, batch> directions_;
+  std::array<Hit, batch> hits_;
+  std::array<Drawn, batch> drawn_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -136,6 +142,7 @@ struct DirectLight::Impl {
   DirectLightOptions options;
   bool visits_punctual;
   SceneLights lights;
+  NextEvent next_event{lights, 1.0F};
   std::vector<SurfaceBsdf> bsdfs;  ///< one for each material
   SurfaceBsdf sensor = SurfaceBsdf::diffuse(Rgb(pi));
 
@@ -153,22 +160,74 @@ struct DirectLight::Impl {
     for (const Light& light : lighting.lights) count += kind_of(light).background ? 0U : 1U;
     return count;
   }
+  const Rgb& emission(const SurfaceSample& sample) const {
+    return lights.emission_of_material(world.scene().objects[sample.object].material);
+  }
+  const SurfaceBsdf& bsdf_of(const SurfaceSample& sample) const { return bsdfs[world.scene().objects[sample.object].material]; }
 
-  Rgb gather(const SurfaceBsdf& bsdf, const SurfaceSample& sample, const Vec3& out, std::uint64_t key, int samples,
-             RayStream& rays) const {
-    const Frame frame(sample.normal);
-    const Gatherer gatherer{world, lights, bsdf, sample, frame, world.ray_origin(sample), out, SobolSequence(key), rays, options};
-    const auto count = static_cast<std::uint32_t>(std::max(1, samples));
-    Rgb sum;
-    const bool samples_lights = !bsdf.is_delta() && !lights.nothing_to_sample();
-    for (std::uint32_t begin = 0; begin < count; begin += batch) {
-      const std::uint32_t end = std::min<std::uint32_t>(count, begin + batch);
-      if (samples_lights) sum += gatherer.from_lights(begin, end);
-      if (lights.can_be_hit()) sum += gatherer.from_hemisphere(begin, end);
+  /// Has all rays of a point traced, in company.
+  void gather(const Receiver& receiver, std::uint32_t samples, PendingLight& light, PendingDirections& directions,
+              Arrived& arrived) const {
+    for (std::uint32_t i = 0; i < samples; ++i) {
+      if (!receiver.bsdf.is_delta())
+        for (const LightGroup group : lights.groups()) light.add(receiver, sample_light(receiver, group, i), arrived.by_lights);
+      if (lights.can_be_hit()) directions.add(receiver, i, arrived.by_hemisphere);
     }
-    sum *= 1.0F / static_cast<float>(count);
-    if (visits_punctual && !bsdf.is_delta()) sum += gatherer.from_punctual();
-    return sum;
+    if (!visits_punctual || receiver.bsdf.is_delta()) return;
+    for (std::size_t i = 0; i < lights.punctual_count(); ++i)
+      light.add(receiver, lights.punctual(i, receiver.sample.position), arrived.by_punctual);
+  }
+  LightSample sample_light(const Receiver& receiver, LightGroup group, std::uint32_t i) const {
+    const std::uint32_t place = first_of_groups + 2U * static_cast<std::uint32_t>(group);
+    const std::uint32_t choice = lights.has_choice(group) ? receiver.random.pair(i, place + 1U).x : 0U;
+    return lights.sample(group, receiver.sample.position, receiver.sample.normal, choice, receiver.random.pair(i, place).unit());
+  }
+
+  /// Light that points reflect, block by block: `receiver_at(i)` is the i-th point's, nothing where it gets no light.
+  template <class ReceiverAt>
+  void gather_all(std::size_t points, const ReceiverAt& receiver_at, int samples, RayStream& rays, std::span<Rgb> out) const {
+    const auto each = static_cast<std::uint32_t>(std::max(1, samples));
+    PendingLight light(next_event, options.tests_visibility, rays);
+    PendingDirections directions(world, lights, next_event, options, rays);
+    for (std::size_t begin = 0; begin < points; begin += batch) {
+      const std::size_t end = std::min(points, begin + batch);
+      std::array<Arrived, batch> arrived{};
+      for (std::size_t i = begin; i < end; ++i)
+        if (const std::optional<Receiver> receiver = receiver_at(i))
+          gather(*receiver, each, light, directions, arrived[i - begin]);
+      light.trace();
+      directions.trace();
+      for (std::size_t i = begin; i < end; ++i) {
+        const Arrived& sums = arrived[i - begin];
+        out[i] = (sums.by_lights + sums.by_hemisphere) * (1.0F / static_cast<float>(each)) + sums.by_punctual;
+      }
+    }
+  }
+
+  void irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples, RayStream& rays,
+                  std::span<Rgb> out) const {
+    const auto receiver_at = [&](std::size_t i) -> std::optional<Receiver> {
+      const SurfaceSample& point = points[i];
+      if (!point.lit_side || lights.empty()) return std::nullopt;
+      return Receiver{sensor, point, Frame(point.normal), world.ray_origin(point), {0.0F, 0.0F, 1.0F}, SobolSequence(keys[i])};
+    };
+    gather_all(points.size(), receiver_at, samples, rays, out);
+  }
+  void radiance(std::span<const SurfaceSample> points, std::span<const Vec3> toward_viewer, std::span<const std::uint64_t> keys,
+                int samples, RayStream& rays, std::span<Rgb> out) const {
+    const auto is_seen = [&](std::size_t i) {
+      return points[i].lit_side && !lights.empty() && glm::dot(points[i].normal, toward_viewer[i]) > 0.0F;
+    };
+    const auto receiver_at = [&](std::size_t i) -> std::optional<Receiver> {
+      const SurfaceSample& point = points[i];
+      if (!is_seen(i)) return std::nullopt;
+      const Frame frame(point.normal);
+      return Receiver{bsdf_of(point),        point, frame, world.ray_origin(point), frame.to_local(toward_viewer[i]),
+                      SobolSequence(keys[i])};
+    };
+    gather_all(points.size(), receiver_at, samples, rays, out);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (is_seen(i)) out[i] += emission(points[i]);
   }
 };
 
@@ -176,10 +235,7 @@ DirectLight::DirectLight(const World& world, const Lighting& lighting, const Dir
     : impl_(std::make_unique<Impl>(world, lighting, options)) {}
 DirectLight::~DirectLight() = default;
 
-Rgb DirectLight::emission(const SurfaceSample& sample) const {
-  if (!sample.lit_side) return Rgb();
-  return impl_->lights.emission_of_material(impl_->world.scene().objects[sample.object].material);
-}
+Rgb DirectLight::emission(const SurfaceSample& sample) const { return sample.lit_side ? impl_->emission(sample) : Rgb(); }
 
 Rgb DirectLight::environment(const Vec3& direction) const { return impl_->lights.environment(direction); }
 
@@ -188,16 +244,16 @@ bool DirectLight::dark() const { return impl_->lights.empty(); }
 const DirectLightOptions& DirectLight::options() const { return impl_->options; }
 
 Rgb DirectLight::irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const {
-  if (!sample.lit_side || dark()) return Rgb();
-  return impl_->gather(impl_->sensor, sample, {0.0F, 0.0F, 1.0F}, key, samples, rays);
+  Rgb out;
+  impl_->irradiance({&sample, 1}, {&key, 1}, samples, rays, {&out, 1});
+  return out;
 }
 
 Rgb DirectLight::radiance(const SurfaceSample& sample, const Vec3& toward_viewer, std::uint64_t key, int samples,
                           RayStream& rays) const {
-  const Vec3 out = Frame(sample.normal).to_local(toward_viewer);
-  if (!sample.lit_side || dark() || !(out.z > 0.0F)) return Rgb();
-  const SurfaceBsdf& bsdf = impl_->bsdfs[impl_->world.scene().objects[sample.object].material];
-  return emission(sample) + impl_->gather(bsdf, sample, out, key, samples, rays);
+  Rgb out;
+  impl_->radiance({&sample, 1}, {&toward_viewer, 1}, {&key, 1}, samples, rays, {&out, 1});
+  return out;
 }
 
 }  // namespace gibench

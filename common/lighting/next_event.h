@@ -18,7 +18,8 @@ struct MetEmitter {
   bool two_sided;
 };
 
-/// `samples` light samples a surface point beside one ray drawn from its lobe, by the power heuristic. Densities in 1/sr.
+/// `samples` samples of each group of lights at a surface point beside one ray drawn from its lobe, by the power heuristic.
+/// Densities in 1/sr.
 class NextEvent {
  public:
   NextEvent(const SceneLights& lights, float samples) : lights_(lights), samples_(samples) {}
@@ -30,13 +31,14 @@ class NextEvent {
     return light.delta ? 1.0F : power_heuristic(density(light), lobe_pdf);
   }
 
-  /// Radiance of what a ray from `position` met, times its weight; `lobe_pdf`: with which the ray was drawn, 0: a mirror's.
-  Rgb emission(const Vec3& position, const MetEmitter& met, float lobe_pdf) const {
+  /// Radiance of what a ray from a surface point with this normal met, times its weight; `lobe_pdf`: with which the ray was
+  /// drawn, 0: a mirror's.
+  Rgb emission(const Vec3& position, const Vec3& normal, const MetEmitter& met, float lobe_pdf) const {
     const Rgb& radiance = lights_.emission_of_material(met.material);
     if (is_black(radiance)) return Rgb();
     if (met.cosine < 0.0F && !met.two_sided) return Rgb();
     if (!(lobe_pdf > 0.0F)) return radiance;
-    const float found = lights_.pdf_of_triangle(position, met.triangle, met.distance, std::fabs(met.cosine));
+    const float found = lights_.pdf_of_triangle(position, normal, met.triangle, met.distance, std::fabs(met.cosine));
     return radiance * power_heuristic(lobe_pdf, samples_ * found);
   }
   /// The same of a ray that left the scene from a surface with this normal.

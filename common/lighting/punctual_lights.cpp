@@ -36,6 +36,17 @@ struct PowerOf {
   }
 };
 
+/// A spot's cone is taken for a cosine about its axis, whatever its width.
+struct PlaceOf {
+  std::optional<PlacedLight> operator()(const PointLight& light) const {
+    return PlacedLight{light.position, 0.0F, Vec3(0.0F), static_cast<float>(mean(light.intensity))};
+  }
+  std::optional<PlacedLight> operator()(const SpotLight& light) const {
+    return PlacedLight{light.position, 0.0F, static_cast<float>(mean(light.intensity)) * light.direction, 0.0F};
+  }
+  std::optional<PlacedLight> operator()(const DirectionalLight&) const { return std::nullopt; }
+};
+
 }  // namespace
 
 LightSample way_to(const PointLight& light, const Vec3& from) {
@@ -60,6 +71,8 @@ LightSample way_to(const DirectionalLight& light, const Vec3&) {
 }
 
 double power_of(const PunctualLight& light, double scene_radius) { return std::visit(PowerOf{scene_radius}, light); }
+
+std::optional<PlacedLight> place_of(const PunctualLight& light) { return std::visit(PlaceOf(), light); }
 
 Rgb spot_intensity(const SpotLight& light, const Vec3& leaving) {
   const float cosine = glm::dot(light.direction, leaving);

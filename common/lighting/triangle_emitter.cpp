@@ -33,17 +33,16 @@ TriangleEmitter::TriangleEmitter(const World& world, std::uint32_t triangle, boo
   first_ = scene.vertices[corners[1]] - corner_;
   second_ = scene.vertices[corners[2]] - corner_;
   centre_ = corner_ + (first_ + second_) / 3.0F;
-  float radius = 0.0F;
   offset_ = 0.0F;
   for (const std::uint32_t corner : corners) {
     const Vec3 position = scene.vertices[corner];
-    radius = std::max(radius, glm::distance(centre_, position));
+    radius_ = std::max(radius_, glm::distance(centre_, position));
     SurfaceSample at_corner;
     at_corner.position = position;
     at_corner.triangle = triangle;
     offset_ = std::max(offset_, world.offset(at_corner));
   }
-  near_squared_ = near_radii * near_radii * radius * radius;
+  near_squared_ = near_radii * near_radii * radius_ * radius_;
   if (world.coincident().has_partners(triangle)) coincident_ = &world.coincident();
 }
 
@@ -51,6 +50,13 @@ double TriangleEmitter::power() const {
   const double mean =
       (static_cast<double>(radiance_.r) + static_cast<double>(radiance_.g) + static_cast<double>(radiance_.b)) / 3.0;
   return (two_sided_ ? 2.0 : 1.0) * pi_double * static_cast<double>(area_) * mean;
+}
+
+/// Of two sides, |cos| is taken for its mean over all directions, a half.
+PlacedLight TriangleEmitter::as_placed() const {
+  const auto across = static_cast<float>(power() / ((two_sided_ ? 2.0 : 1.0) * pi_double));  // W/sr along the normal
+  if (two_sided_) return {centre_, radius_, Vec3(0.0F), 0.5F * across};
+  return {centre_, radius_, across * normal_, 0.0F};
 }
 
 /// The solid angle where the triangle is sampled by it, else 0.

@@ -5,6 +5,7 @@
 
 #include "common/core/rgb.h"
 #include "common/lighting/light_sample.h"
+#include "common/lighting/light_tree.h"
 #include "common/ray/world.h"
 
 namespace gibench {
@@ -19,6 +20,8 @@ class TriangleEmitter {
   std::uint32_t triangle() const { return triangle_; }
   /// Flux of all emitting sides averaged over the channels, W.
   double power() const;
+  /// What is estimated of it beforehand.
+  PlacedLight as_placed() const;
 
   /// A way from `from` to a point of the triangle; no light (pdf 0) where its back is seen or another triangle is in front at
   /// that point. The pdf is of this triangle alone.
@@ -36,6 +39,7 @@ class TriangleEmitter {
   Vec3 corner_, first_, second_;  ///< a corner and the two edges from it, metres
   Vec3 normal_;
   Vec3 centre_;
+  float radius_ = 0.0F;  ///< metres, of the corners about the centre
   Rgb radiance_;
   float area_;          ///< m², one side
   float near_squared_;  ///< m²; below this squared distance from the centre the triangle counts as near

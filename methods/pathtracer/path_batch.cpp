@@ -40,7 +40,8 @@ void PathBatch::trace(const AskedSurface& asked, std::span<const PathRandom> ran
   const int last = bounds_.indirect ? bounds_.most_reflections : 0;
   for (int reflection = 0; reflection <= last && !paths_.empty(); ++reflection) {
     if (reflection > 0 || bounds_.direct)
-      for (std::uint32_t sample = 0; sample < settings_.light_samples; ++sample) sample_lights(reflection, sample);
+      for (std::uint32_t sample = 0; sample < settings_.light_samples; ++sample)
+        for (const LightGroup group : lights_.groups()) sample_lights(reflection, group, sample);
     if (reflection == last && !lights_.can_be_hit()) return;
     scatter(reflection);
     arrive(reflection);
@@ -68,16 +69,18 @@ void PathBatch::start(const AskedSurface& asked) {
   }
 }
 
-/// Next-event estimation: one way to a light from every path's newest vertex.
-void PathBatch::sample_lights(int reflection, std::uint32_t light_sample) {
+/// Next-event estimation: one way to a light of the group from every path's newest vertex.
+void PathBatch::sample_lights(int reflection, LightGroup group, std::uint32_t light_sample) {
   ray_.clear();
   pending_.clear();
   pending_number_.clear();
   for (const Path& path : paths_) {
     if (path.bsdf->is_delta()) continue;
     const PathRandom& random = random_[path.number];
-    add_light_sample(path, lights_.sample(path.position, path.normal, random.pair(reflection, Use::light_choice, light_sample).x,
-                                          random.pair(reflection, Use::light_place, light_sample).unit()));
+    const std::uint32_t choice =
+        lights_.has_choice(group) ? random.light_pair(reflection, LightUse::choice, group, light_sample).x : 0U;
+    add_light_sample(path, lights_.sample(group, path.position, path.normal, choice,
+                                          random.light_pair(reflection, LightUse::place, group, light_sample).unit()));
   }
   if (rules_.tests_visibility()) rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
   else std::fill_n(occluded_.begin(), ray_.size(), std::uint8_t{0});
@@ -202,8 +205,8 @@ bool PathBatch::reach(Path& path, const Hit& hit, const Vec3& direction) {
 Rgb PathBatch::emission_met(const Path& path, const Hit& hit, const Vec3& direction) const {
   const PathTriangle& triangle = scene_.triangles[hit.triangle];
   const float cosine = -glm::dot(triangle.normal, direction);
-  return next_event_.emission(path.position, {hit.triangle, triangle.material, hit.distance, cosine, triangle.two_sided != 0U},
-                              path.pdf);
+  return next_event_.emission(path.position, path.normal,
+                              {hit.triangle, triangle.material, hit.distance, cosine, triangle.two_sided != 0U}, path.pdf);
 }
 
 }  // namespace gibench::pathtracer

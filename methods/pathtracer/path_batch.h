@@ -56,7 +56,7 @@ class PathBatch {
   };
 
   void start(const AskedSurface& asked);
-  void sample_lights(int reflection, std::uint32_t light_sample);
+  void sample_lights(int reflection, LightGroup group, std::uint32_t light_sample);
   void add_light_sample(const Path& path, const LightSample& light);
   void scatter(int reflection);
   void take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, const Vec3& out, float random) const;

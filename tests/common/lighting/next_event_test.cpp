@@ -35,7 +35,8 @@ TEST_F(NextEventWeights, OfBothWaysToALightSumToOne) {
       RandomStream random(1, 2, i);
       const auto choice = static_cast<std::uint32_t>(mix_keys(7, i));
       const float u = random.next_float();
-      const LightSample light = lights_.sample(position_, normal_, choice, {u, random.next_float()});
+      const LightGroup group = lights_.groups()[i % lights_.groups().size()];
+      const LightSample light = lights_.sample(group, position_, normal_, choice, {u, random.next_float()});
       if (!(light.pdf > 0.0F)) continue;
       if (light.delta) {
         EXPECT_EQ(next_event.weight(light, 0.3F), 1.0F);
@@ -54,8 +55,8 @@ TEST_F(NextEventWeights, OfBothWaysToALightSumToOne) {
         const Object& object = world_.scene().objects[world_.scene().triangle_object[hit.triangle]];
         const MetEmitter met{hit.triangle, object.material, hit.distance, -glm::dot(world_.normal(hit.triangle), light.direction),
                              object.two_sided};
-        found = next_event.emission(position_, met, lobe_pdf);
-        whole = next_event.emission(position_, met, 0.0F);
+        found = next_event.emission(position_, normal_, met, lobe_pdf);
+        whole = next_event.emission(position_, normal_, met, 0.0F);
         ++emitters;
       }
       ASSERT_GT(whole.g, 0.0F);
@@ -75,8 +76,8 @@ TEST_F(NextEventWeights, BacksOfOneSidedLampsAreBlack) {
   }();
   const std::uint32_t material = world_.scene().objects[world_.scene().triangle_object[triangle]].material;
   const NextEvent next_event(lights_, 1.0F);
-  EXPECT_TRUE(is_black(next_event.emission(position_, {triangle, material, 1.0F, -0.5F, false}, 0.3F)));
-  EXPECT_FALSE(is_black(next_event.emission(position_, {triangle, material, 1.0F, -0.5F, true}, 0.3F)));
+  EXPECT_TRUE(is_black(next_event.emission(position_, normal_, {triangle, material, 1.0F, -0.5F, false}, 0.3F)));
+  EXPECT_FALSE(is_black(next_event.emission(position_, normal_, {triangle, material, 1.0F, -0.5F, true}, 0.3F)));
 }
 
 }  // namespace

@@ -202,6 +202,16 @@ TEST(PathTracer, GivesEachPartAlone) {
   EXPECT_EQ(indirect, both.indirect);
 }
 
+TEST(PathTracer, ASunTakesNothingFromTheSky) {
+  // Where nothing is hidden, each of them alone is exact; so are the two together.
+  Scene scene = plate(Material());
+  scene.lights.emplace_back(DirectionalLight{glm::normalize(Vec3(1.0F, 0.0F, -2.0F)), Rgb(30.0F)});
+  const Tracer tracer(scene, {{"samples", "16"}});
+  const Values values = tracer.irradiance(20);
+  const float truth = pi + 30.0F * 2.0F / std::sqrt(5.0F);
+  for (const Rgb& value : values.direct) EXPECT_NEAR(value.g, truth, 1e-5F * truth);
+}
+
 TEST(PathTracer, AMirrorThatIsAskedShowsWhatItSees) {
   const Tracer tracer(plate(mirror(0.8F)), {{"samples", "16"}});
   const SurfaceSample sample = tracer.world().sample_at(0, {0.3F, 0.3F}, {0, 0, 1});
