@@ -12,7 +12,7 @@ AskedSurface::AskedSurface(const PathScene& scene, const SceneLights& lights, Qu
   const Rgb& radiance = lights.emission_of_material(material);
   switch (quantity) {
     case Quantity::radiance:
-      bsdf = surface;
+      bsdf = &surface;
       out = toward_viewer;
       emitted = radiance;
       lit = glm::dot(normal, out) > 0.0F;
@@ -20,11 +20,11 @@ AskedSurface::AskedSurface(const PathScene& scene, const SceneLights& lights, Qu
     case Quantity::radiosity:
       emitted = radiance * pi;
       draws_out = !surface.is_diffuse();
-      factor = draws_out ? pi : 1.0F;
-      bsdf = draws_out ? surface : SurfaceBsdf::diffuse(surface.diffuse_albedo() * pi);
+      factor = pi;
+      bsdf = &surface;
       break;
     case Quantity::irradiance:
-    case Quantity::accessibility: bsdf = SurfaceBsdf::diffuse(Rgb(pi)); break;
+    case Quantity::accessibility: bsdf = &scene.sensor; break;
   }
 }
 

@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "common/core/sampling.h"
+#include "common/ray/ray_offset.h"
 
 namespace gibench::pathtracer {
 
 namespace {
 
-constexpr int lossless_reflections = 256;  // after so many, even a path that lost nothing may end at random …
-constexpr float most_survival = 0.998F;    // … with this probability to go on: a closed world of mirrors comes to an end
+constexpr int lossless_reflections = 256;    // after so many, even a path that lost nothing may end at random …
+constexpr float most_survival = 0.998F;      // … with this probability to go on: a closed world of mirrors comes to an end
+constexpr std::size_t prefetched_ahead = 8;  // paths
 
 }  // namespace
 
@@ -24,19 +26,23 @@ PathBatch::PathBatch(const PathScene& scene, const SceneLights& lights, const Pa
       next_event_(lights, static_cast<float>(settings.light_samples)),
       rays_(rays) {
   paths_.reserve(capacity);
+  keys_.reserve(capacity);
+  indices_.reserve(capacity);
   ray_.reserve(capacity);
   pending_.reserve(capacity);
   pending_number_.reserve(capacity);
+  x_.resize(capacity);
+  y_.resize(capacity);
+  choices_.resize(capacity);
   hit_.resize(capacity);
   occluded_.resize(capacity);
 }
 
-void PathBatch::trace(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light) {
-  random_ = random;
+void PathBatch::trace(std::span<const PathStart> starts, std::span<PathLight> light) {
   light_ = light;
   std::fill(light.begin(), light.end(), PathLight());
-  if (!asked.lit || lights_.empty() || rules_.nothing()) return;
-  start(asked);
+  if (lights_.empty() || rules_.nothing()) return;
+  start(starts);
   const int last = bounds_.indirect ? bounds_.most_reflections : 0;
   for (int reflection = 0; reflection <= last && !paths_.empty(); ++reflection) {
     if (reflection > 0 || bounds_.direct)
@@ -48,25 +54,52 @@ void PathBatch::trace(const AskedSurface& asked, std::span<const PathRandom> ran
   }
 }
 
-void PathBatch::trace_openness(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light) {
+void PathBatch::trace_openness(std::span<const PathStart> starts, std::span<PathLight> light) {
   std::fill(light.begin(), light.end(), PathLight());
-  if (!asked.lit) return;
+  start(starts);
+  draw({0, Use::direction});
   ray_.clear();
-  const Frame frame(asked.normal);
-  for (const PathRandom& path : random)
-    ray_.push_back({asked.origin, 0.0F, frame.to_world(cosine_hemisphere(path.pair(0, Use::direction).unit()))});
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    ray_.push_back({paths_[i].origin, 0.0F, Frame(paths_[i].normal).to_world(cosine_hemisphere({x_[i], y_[i]}))});
   rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
-  for (std::size_t i = 0; i < random.size(); ++i) light[i].direct = Rgb(occluded_[i] ? 0.0F : 1.0F);
+  for (std::size_t i = 0; i < paths_.size(); ++i) light[paths_[i].number].direct = Rgb(occluded_[i] ? 0.0F : 1.0F);
 }
 
-void PathBatch::start(const AskedSurface& asked) {
+/// Paths of values that are zero anyway do not begin.
+void PathBatch::start(std::span<const PathStart> starts) {
   paths_.clear();
-  for (std::uint32_t number = 0; number < random_.size(); ++number) {
-    Path path{asked.position,    asked.normal, asked.origin, asked.out, &asked.bsdf,
+  keys_.clear();
+  indices_.clear();
+  for (std::uint32_t number = 0; number < starts.size(); ++number) {
+    const AskedSurface& asked = *starts[number].asked;
+    if (!asked.lit) continue;
+    const PathRandom& random = starts[number].random;
+    Path path{asked.position,    asked.normal, asked.origin, asked.out, asked.bsdf,
               Rgb(asked.factor), 1.0F,         0.0F,         number,    PathAutomaton::start};
-    if (asked.draws_out) path.out = Frame(asked.normal).to_world(cosine_hemisphere(random_[number].pair(0, Use::out).unit()));
+    if (asked.draws_out) path.out = Frame(asked.normal).to_world(cosine_hemisphere(random.pair({0, Use::out}).unit()));
     paths_.push_back(path);
+    keys_.push_back(random.key);
+    indices_.push_back(random.index);
   }
+}
+
+/// Moves a path up to the place behind those that are kept already.
+void PathBatch::keep(std::size_t path, std::size_t kept) {
+  if (path == kept) return;
+  paths_[kept] = paths_[path];
+  keys_[kept] = keys_[path];
+  indices_[kept] = indices_[path];
+}
+
+void PathBatch::end_all_but(std::size_t kept) {
+  paths_.resize(kept);
+  keys_.resize(kept);
+  indices_.resize(kept);
+}
+
+/// A pair of numbers for every path.
+void PathBatch::draw(Dimension dimension) {
+  draw_pairs(keys_, indices_, dimension, {x_.data(), keys_.size()}, {y_.data(), keys_.size()});
 }
 
 /// Next-event estimation: one way to a light of the group from every path's newest vertex.
@@ -74,13 +107,13 @@ void PathBatch::sample_lights(int reflection, LightGroup group, std::uint32_t li
   ray_.clear();
   pending_.clear();
   pending_number_.clear();
-  for (const Path& path : paths_) {
-    if (path.bsdf->is_delta()) continue;
-    const PathRandom& random = random_[path.number];
-    const std::uint32_t choice =
-        lights_.has_choice(group) ? random.light_pair(reflection, LightUse::choice, group, light_sample).x : 0U;
-    add_light_sample(path, lights_.sample(group, path.position, path.normal, choice,
-                                          random.light_pair(reflection, LightUse::place, group, light_sample).unit()));
+  if (lights_.has_choice(group))
+    draw_fractions(keys_, indices_, {reflection, LightUse::choice, group, light_sample}, {choices_.data(), keys_.size()});
+  if (has_places(group)) draw({reflection, LightUse::place, group, light_sample});
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    const Path& path = paths_[i];
+    if (!path.bsdf->is_delta())
+      add_light_sample(path, lights_.sample(group, path.position, path.normal, choices_[i], {x_[i], y_[i]}));
   }
   if (rules_.tests_visibility()) rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
   else std::fill_n(occluded_.begin(), ray_.size(), std::uint8_t{0});
@@ -114,28 +147,33 @@ void PathBatch::add_light_sample(const Path& path, const LightSample& light) {
 
 /// Draws the ray that leaves every path's newest vertex; paths that carry nothing any more end.
 void PathBatch::scatter(int reflection) {
+  draw({reflection, Use::direction});
   ray_.clear();
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < paths_.size(); ++i) {
-    Path path = paths_[i];
-    const PathRandom& random = random_[path.number];
-    const Vec2 choices = random.pair(reflection, Use::lobe_and_roulette).unit();
-    const Frame frame(path.normal);
-    const Vec3 out = frame.to_local(path.out);
-    const Lobes lobes = rules_.walking_lobes(path.state, *path.bsdf);
-    const BsdfSample sample = path.bsdf->sample(out, choices.x, random.pair(reflection, Use::direction).unit(), lobes);
-    if (is_black(sample.weight)) continue;
-    const auto state = path.state;
-    const bool tell_apart = lobes == Lobes::both && rules_.after_diffuse(state) != rules_.after_specular(state, *path.bsdf);
-    take_lobe(path, sample, lobes, out, tell_apart ? random.pair(reflection, Use::lobe_class).unit().x : 0.0F);
-    if (is_black(path.throughput)) continue;
-    if (reflection == 0) path.scale = largest(path.throughput);
-    if (!survives(path, reflection, choices.y)) continue;
-    path.pdf = sample.pdf;
-    ray_.push_back({path.origin, 0.0F, frame.to_world(sample.in)});
-    paths_[kept++] = path;
-  }
-  paths_.resize(kept);
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    if (scatter(i, reflection)) keep(i, kept++);
+  end_all_but(kept);
+}
+
+bool PathBatch::scatter(std::size_t number, int reflection) {
+  Path& path = paths_[number];
+  const PathRandom random{keys_[number], indices_[number]};
+  const Frame frame(path.normal);
+  const Vec3 out = frame.to_local(path.out);
+  const Lobes lobes = rules_.walking_lobes(path.state, *path.bsdf);
+  const float choice =
+      !path.bsdf->is_diffuse() && !path.bsdf->is_delta() ? random.pair({reflection, Use::lobe_and_roulette}).unit().x : 0.0F;
+  const BsdfSample sample = path.bsdf->sample(out, choice, {x_[number], y_[number]}, lobes);
+  if (is_black(sample.weight)) return false;
+  const bool tell_apart =
+      lobes == Lobes::both && rules_.after_diffuse(path.state) != rules_.after_specular(path.state, *path.bsdf);
+  take_lobe(path, sample, lobes, out, tell_apart ? random.pair({reflection, Use::lobe_class}).unit().x : 0.0F);
+  if (is_black(path.throughput)) return false;
+  if (reflection == 0) path.scale = largest(path.throughput);
+  if (!survives(path, reflection, random)) return false;
+  path.pdf = sample.pdf;
+  ray_.push_back({path.origin, 0.0F, frame.to_world(sample.in)});
+  return true;
 }
 
 /// Weighs the path and tells it which lobe scattered. Where that makes a difference, it is drawn for the direction that was
@@ -157,12 +195,12 @@ void PathBatch::take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, con
 }
 
 /// Russian roulette on the throughput relative to the first vertex's (Arvo and Kirk 1990): a survivor carries more.
-bool PathBatch::survives(Path& path, int reflection, float random) const {
+bool PathBatch::survives(Path& path, int reflection, const PathRandom& random) const {
   if (reflection < settings_.roulette_start) return true;
   float survival = largest(path.throughput) / (path.scale * settings_.roulette_below);
   if (reflection >= lossless_reflections) survival = std::min(survival, most_survival);
   if (survival >= 1.0F) return true;
-  if (random >= survival) return false;
+  if (random.pair({reflection, Use::lobe_and_roulette}).unit().y >= survival) return false;
   path.throughput *= 1.0F / survival;
   return true;
 }
@@ -173,7 +211,8 @@ void PathBatch::arrive(int reflection) {
   const bool wanted = reflection > 0 || bounds_.direct;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < paths_.size(); ++i) {
-    Path path = paths_[i];
+    if (i + prefetched_ahead < paths_.size()) scene_.prefetch_triangle(hit_[i + prefetched_ahead]);
+    Path& path = paths_[i];
     const Vec3& direction = ray_[i].direction;
     if (wanted && rules_.accepts(path.state, hit_[i] ? PathEvent::emitter : PathEvent::background)) {
       const Rgb met =
@@ -181,21 +220,19 @@ void PathBatch::arrive(int reflection) {
       PathLight& light = light_[path.number];
       (reflection == 0 ? light.direct : light.indirect) += path.throughput * met;
     }
-    if (hit_[i] && rules_.goes_on(path.state) && reach(path, hit_[i], direction)) paths_[kept++] = path;
+    if (hit_[i] && rules_.goes_on(path.state) && reach(path, hit_[i], direction)) keep(i, kept++);
   }
-  paths_.resize(kept);
+  end_all_but(kept);
 }
 
 /// False where the path meets a back: it is black.
-bool PathBatch::reach(Path& path, const Hit& hit, const Vec3& direction) {
+bool PathBatch::reach(Path& path, const Hit& hit, const Vec3& direction) const {
   const PathTriangle& triangle = scene_.triangles[hit.triangle];
   const bool front = glm::dot(triangle.normal, direction) <= 0.0F;
   if (!front && triangle.two_sided == 0U) return false;
-  SurfaceSample sample;
-  sample.position = path.position = triangle.position(hit);
-  sample.normal = path.normal = front ? triangle.normal : -triangle.normal;
-  sample.triangle = hit.triangle;
-  path.origin = scene_.world.ray_origin(sample);
+  path.position = triangle.position(hit);
+  path.normal = front ? triangle.normal : -triangle.normal;
+  path.origin = path.position + ray_offset(max_abs(path.position), triangle.extent) * path.normal;
   path.out = -direction;
   path.bsdf = &scene_.bsdfs[triangle.material];
   return true;

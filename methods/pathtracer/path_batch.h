@@ -1,5 +1,5 @@
-/// The paths of one value, some hundreds at a time, all advanced by one reflection before any is advanced by two:
-/// their rays leave in packets, and the first ones all from one point.
+/// Paths of any values, some thousands at a time, all advanced by one reflection before any is advanced by two: their rays
+/// leave in full packets, whatever the number of paths that a value has.
 #pragma once
 
 #include <cstdint>
@@ -23,23 +23,29 @@ struct PathBounds {
   int most_reflections = 0;  ///< between a light and the asked surface; for indirect light
 };
 
+/// A path that is to be traced.
+struct PathStart {
+  const AskedSurface* asked = nullptr;
+  PathRandom random;
+};
+
 /// What one path brought, in the value's unit.
 struct PathLight {
   Rgb direct, indirect;
 };
 
-/// One thread's workspace; made once for many values.
+/// One thread's workspace.
 class PathBatch {
  public:
-  static constexpr std::size_t capacity = 256;  ///< paths
+  static constexpr std::size_t capacity = 2048;  ///< paths
 
   PathBatch(const PathScene& scene, const SceneLights& lights, const PathRules& rules, const Settings& settings,
             const PathBounds& bounds, RayStream& rays);
 
-  /// Traces one path for each of `random` (at most `capacity`); `light` is as long.
-  void trace(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light);
-  /// Accessibility: one cosine-distributed ray for each of `random`; 1 in `direct` where it meets no surface.
-  void trace_openness(const AskedSurface& asked, std::span<const PathRandom> random, std::span<PathLight> light);
+  /// Traces at most `capacity` paths; `light` is as long.
+  void trace(std::span<const PathStart> starts, std::span<PathLight> light);
+  /// Accessibility: one cosine-distributed ray for each path; 1 in `direct` where it meets no surface.
+  void trace_openness(std::span<const PathStart> starts, std::span<PathLight> light);
 
  private:
   /// A path at its newest vertex.
@@ -55,14 +61,18 @@ class PathBatch {
     PathRules::State state = PathAutomaton::start;  ///< before the newest vertex scatters
   };
 
-  void start(const AskedSurface& asked);
+  void start(std::span<const PathStart> starts);
+  void keep(std::size_t path, std::size_t kept);
+  void end_all_but(std::size_t kept);
+  void draw(Dimension dimension);
   void sample_lights(int reflection, LightGroup group, std::uint32_t light_sample);
   void add_light_sample(const Path& path, const LightSample& light);
   void scatter(int reflection);
+  bool scatter(std::size_t number, int reflection);
   void take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, const Vec3& out, float random) const;
-  bool survives(Path& path, int reflection, float random) const;
+  bool survives(Path& path, int reflection, const PathRandom& random) const;
   void arrive(int reflection);
-  bool reach(Path& path, const Hit& hit, const Vec3& direction);
+  bool reach(Path& path, const Hit& hit, const Vec3& direction) const;
   Rgb emission_met(const Path& path, const Hit& hit, const Vec3& direction) const;
 
   const PathScene& scene_;
@@ -73,9 +83,13 @@ class PathBatch {
   const NextEvent next_event_;
   RayStream& rays_;
 
-  std::span<const PathRandom> random_;
   std::span<PathLight> light_;
-  std::vector<Path> paths_;  ///< those still alive
+  // Columns of the paths still alive.
+  std::vector<Path> paths_;
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint32_t> indices_;
+  std::vector<float> x_, y_;            ///< a pair of random numbers each
+  std::vector<std::uint32_t> choices_;  ///< a fraction each
   std::vector<Ray> ray_;
   std::vector<Hit> hit_;
   std::vector<std::uint8_t> occluded_;

@@ -1,7 +1,8 @@
-/// The random numbers of one path, keyed by (seed, value, replicate, path, reflection, use).
+/// The random numbers of paths, keyed by (seed, value, replicate, path, reflection, use).
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "common/core/sobol.h"
 #include "common/lighting/light_group.h"
@@ -12,29 +13,47 @@ namespace gibench::pathtracer {
 enum class Use : std::uint32_t { direction, lobe_and_roulette, out, lobe_class, first_of_lights };
 enum class LightUse : std::uint32_t { place, choice };
 
-class PathRandom {
+/// A pair of dimensions of the sequences.
+class Dimension {
  public:
-  PathRandom() : sequence_(0) {}
-  PathRandom(std::uint64_t replicate_key, std::uint32_t index) : sequence_(replicate_key), index_(index) {}
+  constexpr Dimension(int reflection, Use use) : Dimension(reflection, static_cast<std::uint32_t>(use)) {}
+  constexpr Dimension(int reflection, LightUse use, LightGroup group, std::uint32_t light_sample)
+      : Dimension(reflection, static_cast<std::uint32_t>(Use::first_of_lights) +
+                                  2U * (light_sample * most_light_groups + static_cast<std::uint32_t>(group)) +
+                                  static_cast<std::uint32_t>(use)) {}
 
-  SobolPair pair(int reflection, Use use) const { return pair(reflection, static_cast<std::uint32_t>(use)); }
-  SobolPair light_pair(int reflection, LightUse use, LightGroup group, std::uint32_t light_sample) const {
-    const std::uint32_t way = light_sample * most_light_groups + static_cast<std::uint32_t>(group);
-    return pair(reflection, static_cast<std::uint32_t>(Use::first_of_lights) + 2U * way + static_cast<std::uint32_t>(use));
-  }
+  constexpr std::uint32_t number() const { return number_; }
+  constexpr bool stratified() const { return stratified_; }
 
  private:
   static constexpr std::uint32_t pairs_per_vertex = 512;  // more than the uses and 64 samples of each group of lights take
   static constexpr int stratified_reflections = 6;        // deeper, many dimensions are mixed into each value
 
-  SobolPair pair(int reflection, std::uint32_t use) const {
-    const std::uint32_t dimension = static_cast<std::uint32_t>(reflection) * pairs_per_vertex + use;
-    return reflection < stratified_reflections ? sequence_.pair(index_, dimension)
-                                               : sequence_.independent_pair(index_, dimension);
-  }
+  constexpr Dimension(int reflection, std::uint32_t use)
+      : number_(static_cast<std::uint32_t>(reflection) * pairs_per_vertex + use),
+        stratified_(reflection < stratified_reflections) {}
 
-  SobolSequence sequence_;
-  std::uint32_t index_ = 0;
+  std::uint32_t number_;
+  bool stratified_;
 };
+
+/// A path's place in the sequence of its replicate.
+struct PathRandom {
+  std::uint64_t key = 0;  ///< of the replicate
+  std::uint32_t index = 0;
+
+  SobolPair pair(Dimension dimension) const {
+    const SobolSequence sequence(key);
+    return dimension.stratified() ? sequence.pair(index, dimension.number())
+                                  : sequence.independent_pair(index, dimension.number());
+  }
+};
+
+/// The pairs of many paths, column by column, which the compiler turns into vectors. All columns are of one length.
+void draw_pairs(std::span<const std::uint64_t> keys, std::span<const std::uint32_t> indices, Dimension dimension,
+                std::span<float> x, std::span<float> y);
+/// Only the first numbers of the pairs, as 32-bit fractions of one.
+void draw_fractions(std::span<const std::uint64_t> keys, std::span<const std::uint32_t> indices, Dimension dimension,
+                    std::span<std::uint32_t> x);
 
 }  // namespace gibench::pathtracer

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 
@@ -126,6 +127,33 @@ TEST(PathTracer, ContinuesASequenceWhereItStopped) {
       EXPECT_NEAR(joined.g, all.indirect[i].g, 1e-5F * all.indirect[i].g);
     }
   }
+}
+
+TEST(PathTracer, JoinsThePathsOfAValueThatTakesSeveralBatches) {
+  const Tracer whole(made::box_scene(), {{"samples", "5000"}});
+  const Tracer first(made::box_scene(), {{"samples", "1500"}});
+  const Tracer rest(made::box_scene(), {{"samples", "3500"}, {"first_sample", "1500"}});
+  const Values all = whole.irradiance(3), a = first.irradiance(3), b = rest.irradiance(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Rgb joined = a.indirect[i] * 0.3F + b.indirect[i] * 0.7F;
+    EXPECT_NEAR(joined.g, all.indirect[i].g, 1e-5F * all.indirect[i].g);
+    EXPECT_GT(all.total_variance[i].g, 0.0F);
+  }
+}
+
+TEST(PathTracer, ReportsAfterAMillionPathsHoweverManyAValueHas) {
+  // Sums for each batch of all 4 · 10⁹ paths would take 2 GB before the first report.
+  const Tracer tracer(plate(mirror(1.0F)), {{"samples", "4294967295"}});
+  const SurfaceSample sample = tracer.world().sample_at(0, {0.3F, 0.3F}, {0, 0, 1});
+  TaskSettings settings;
+  settings.cancel = std::make_shared<std::atomic<bool>>(false);
+  settings.on_progress = [&](const ProgressPoint&) { settings.cancel->store(true); };
+  Task task(settings);
+  std::vector<Rgb> direct(1);
+  const StageReport report = tracer.method().shade({Quantity::accessibility, {&sample, 1}, {}}, {direct, {}, {}, {}, {}}, task);
+  EXPECT_EQ(report.termination, Termination::cancelled);
+  EXPECT_GT(task.counters()["occlusion_rays"], 0U);
+  EXPECT_LE(task.counters()["occlusion_rays"], 1U << 20U);
 }
 
 TEST(PathTracer, TellsItsVariance) {
