@@ -130,19 +130,30 @@ void PathBatch::add_light_sample(const Path& path, const LightSample& light) {
   const PathEvent event = light.delta ? PathEvent::light : light.at_infinity ? PathEvent::background : PathEvent::emitter;
   const Lobes lit = rules_.lit_lobes(path.state, *path.bsdf, event);
   if (lit == Lobes::none) return;
-  const Frame frame(path.normal);
-  const Vec3 in = frame.to_local(light.direction), out = frame.to_local(path.out);
-  const Lobes walking = rules_.walking_lobes(path.state, *path.bsdf);
-  LobeValues values = path.bsdf->evaluate_lobes(out, in, walking | lit);
-  if (!contains(lit, Lobes::diffuse)) values.diffuse = Rgb();
-  if (!contains(lit, Lobes::specular)) values.specular = Rgb();
+  const float cosine = glm::dot(path.normal, light.direction);
+  if (!(cosine > 0.0F)) return;
+  const LobeValues values = reflected(path, light.direction, cosine, lit);
   // A light that rays can meet counts by no lobe that may not walk, so that the density is that of the walk.
-  const float factor = in.z * next_event_.weight(light, values.pdf) / next_event_.density(light);
+  const float factor = cosine * next_event_.weight(light, values.pdf) / next_event_.density(light);
   const Rgb contribution = path.throughput * (values.diffuse + values.specular) * light.radiance * factor;
   if (is_black(contribution)) return;
   ray_.push_back(light.shadow_ray(path.origin));
   pending_.push_back(contribution);
   pending_number_.push_back(path.number);
+}
+
+/// What the lit lobes reflect from a direction above the horizon, and the density of the walk in that direction.
+LobeValues PathBatch::reflected(const Path& path, const Vec3& direction, float cosine, Lobes lit) const {
+  if (path.bsdf->is_diffuse()) {
+    if (!contains(lit, Lobes::diffuse)) return {};
+    return {path.bsdf->diffuse_albedo() * (1.0F / pi), Rgb(), cosine_hemisphere_pdf(cosine)};
+  }
+  const Frame frame(path.normal);
+  const Lobes walking = rules_.walking_lobes(path.state, *path.bsdf);
+  LobeValues values = path.bsdf->evaluate_lobes(frame.to_local(path.out), frame.to_local(direction), walking | lit);
+  if (!contains(lit, Lobes::diffuse)) values.diffuse = Rgb();
+  if (!contains(lit, Lobes::specular)) values.specular = Rgb();
+  return values;
 }
 
 /// Draws the ray that leaves every path's newest vertex; paths that carry nothing any more end.
@@ -159,28 +170,47 @@ bool PathBatch::scatter(std::size_t number, int reflection) {
   Path& path = paths_[number];
   const PathRandom random{keys_[number], indices_[number]};
   const Frame frame(path.normal);
-  const Vec3 out = frame.to_local(path.out);
-  const Lobes lobes = rules_.walking_lobes(path.state, *path.bsdf);
-  const float choice =
-      !path.bsdf->is_diffuse() && !path.bsdf->is_delta() ? random.pair({reflection, Use::lobe_and_roulette}).unit().x : 0.0F;
-  const BsdfSample sample = path.bsdf->sample(out, choice, {x_[number], y_[number]}, lobes);
-  if (is_black(sample.weight)) return false;
-  const bool tell_apart =
-      lobes == Lobes::both && rules_.after_diffuse(path.state) != rules_.after_specular(path.state, *path.bsdf);
-  take_lobe(path, sample, lobes, out, tell_apart ? random.pair({reflection, Use::lobe_class}).unit().x : 0.0F);
+  const Vec2 u{x_[number], y_[number]};
+  const Vec3 in = path.bsdf->is_diffuse() ? scatter_evenly(path, u) : scatter_by_lobe(path, frame, u, reflection, random);
   if (is_black(path.throughput)) return false;
   if (reflection == 0) path.scale = largest(path.throughput);
   if (!survives(path, reflection, random)) return false;
-  path.pdf = sample.pdf;
-  ray_.push_back({path.origin, 0.0F, frame.to_world(sample.in)});
+  ray_.push_back({path.origin, 0.0F, frame.to_world(in)});
   return true;
+}
+
+/// From a diffuse surface; the path carries nothing any more where it may not walk.
+Vec3 PathBatch::scatter_evenly(Path& path, Vec2 u) const {
+  const Vec3 in = DiffuseLobe::sample(u);
+  path.pdf = DiffuseLobe::pdf(in);
+  const bool walks = path.pdf > 0.0F && contains(rules_.walking_lobes(path.state, *path.bsdf), Lobes::diffuse);
+  path.throughput *= walks ? path.bsdf->diffuse_albedo() : Rgb();
+  path.state = rules_.after_diffuse(path.state);
+  return in;
+}
+
+/// From any other surface, likewise.
+Vec3 PathBatch::scatter_by_lobe(Path& path, const Frame& frame, Vec2 u, int reflection, const PathRandom& random) const {
+  const Vec3 out = frame.to_local(path.out);
+  const Lobes lobes = rules_.walking_lobes(path.state, *path.bsdf);
+  const float choice = path.bsdf->is_delta() ? 0.0F : random.pair({reflection, Use::lobe_and_roulette}).unit().x;
+  const BsdfSample sample = path.bsdf->sample(out, choice, u, lobes);
+  path.pdf = sample.pdf;
+  if (is_black(sample.weight)) {
+    path.throughput = Rgb();
+    return sample.in;
+  }
+  const bool tell_apart =
+      lobes == Lobes::both && rules_.after_diffuse(path.state) != rules_.after_specular(path.state, *path.bsdf);
+  take_lobe(path, sample, lobes, out, tell_apart ? random.pair({reflection, Use::lobe_class}).unit().x : 0.0F);
+  return sample.in;
 }
 
 /// Weighs the path and tells it which lobe scattered. Where that makes a difference, it is drawn for the direction that was
 /// sampled, each lobe with its share of the value there: the walk by either is estimated without bias.
 void PathBatch::take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, const Vec3& out, float random) const {
   const auto diffuse = rules_.after_diffuse(path.state), specular = rules_.after_specular(path.state, *path.bsdf);
-  if (lobes != Lobes::both || diffuse == specular || path.bsdf->is_diffuse() || sample.delta) {
+  if (lobes != Lobes::both || diffuse == specular || sample.delta) {
     const bool by_specular = lobes == Lobes::specular || sample.delta;
     path.throughput *= sample.weight;
     path.state = by_specular ? specular : diffuse;

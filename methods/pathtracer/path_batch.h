@@ -69,6 +69,9 @@ class PathBatch {
   void add_light_sample(const Path& path, const LightSample& light);
   void scatter(int reflection);
   bool scatter(std::size_t number, int reflection);
+  Vec3 scatter_evenly(Path& path, Vec2 u) const;
+  Vec3 scatter_by_lobe(Path& path, const Frame& frame, Vec2 u, int reflection, const PathRandom& random) const;
+  LobeValues reflected(const Path& path, const Vec3& direction, float cosine, Lobes lit) const;
   void take_lobe(Path& path, const BsdfSample& sample, Lobes lobes, const Vec3& out, float random) const;
   bool survives(Path& path, int reflection, const PathRandom& random) const;
   void arrive(int reflection);
