@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bench/measure/cancellation.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/core/overloaded.h"
@@ -165,6 +166,7 @@ std::vector<LightsFrame> read_moving_lights(const std::filesystem::path& file, c
   std::vector<LightsFrame> result;
   double before = -1.0;
   for (int i = 0; i < count; ++i) {
+    stop_if_cancelled();
     const double at = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
     result.push_back(lights.frame(before, at));
     before = at;

@@ -140,7 +140,7 @@ void list_missing_scenes(Study& study) {
 
 }  // namespace
 
-Study collect_study(const fs::path& folder) {
+Study collect_study(const fs::path& folder, const MayGoOn& may_go_on) {
   const fs::path file = folder / manifest_file;
   const std::string remedy = "give the folder that `gibench study STUDY.json --out DIR` wrote";
   if (!fs::is_directory(folder)) throw InputError(folder.string(), "is not a folder", remedy);
@@ -160,14 +160,20 @@ Study collect_study(const fs::path& folder) {
     study.warnings.emplace_back(std::string(manifest_file) +
                                 ": is not as it was written; run the study again: it writes its manifest anew");
   for (const StudySceneRecord& scene : record.scenes) study.scenes.push_back(scene_of(scene, study));
-  for (const StudyRunRecord& run : record.runs) study.runs.push_back(run_of(run, study));
+  for (const StudyRunRecord& run : record.runs) {
+    may_go_on();
+    study.runs.push_back(run_of(run, study));
+  }
   list_missing_scenes(study);
   if (const auto machines = study.machines(); machines.size() > 1)
     study.warnings.push_back(
         fmt::format("the runs were measured on {} machines ({}): their seconds do not compare, and a speed-up "
                     "is told only over path tracing on a run's own machine",
                     machines.size(), fmt::join(machines, "; ")));
-  for (const StudyRunRecord& relight : record.relights) study.relights.push_back(relight_of(relight, study));
+  for (const StudyRunRecord& relight : record.relights) {
+    may_go_on();
+    study.relights.push_back(relight_of(relight, study));
+  }
   return study;
 }
 

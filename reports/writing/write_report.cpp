@@ -84,12 +84,14 @@ void write_page(const Study& study, const fs::path& folder) {
 
 /// The first error's part stands in the study's file: the page opens with it.
 void write_data(const Study& study, const std::vector<std::vector<PagePicture>>& pictures,
-                const std::vector<std::string>& warnings, const fs::path& folder) {
+                const std::vector<std::string>& warnings, const fs::path& folder, const MayGoOn& may_go_on) {
   std::vector<ErrorKey> keys = measured_keys(study);
   if (keys.empty()) keys.push_back(usual_key());
   write_text(folder / "study.js", page_data(study, pictures, warnings) + error_data(study, keys.front(), 0));
-  for (std::size_t key = 1; key < keys.size(); ++key)
+  for (std::size_t key = 1; key < keys.size(); ++key) {
+    may_go_on();
     write_text(folder / ("error-" + std::to_string(key) + ".js"), error_data(study, keys[key], key));
+  }
 }
 
 /// Tells the page which plot files there are.
@@ -103,18 +105,22 @@ void list_plot_files(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> write_report(const Study& study, const fs::path& folder) {
+std::vector<std::string> write_report(const Study& study, const fs::path& folder, const MayGoOn& may_go_on) {
   write_text(folder / report_marker, Json{{"gibench_report", 1}, {"study", study.name}, {"commit", study.commit}}.dump(
                                          2, ' ', false, Json::error_handler_t::replace) +
                                          "\n");
   std::vector<std::string> warnings = study.warnings;
   std::vector<std::vector<PagePicture>> pictures;
-  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene)
+  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) {
+    may_go_on();
     pictures.push_back(write_pictures(study, scene, folder / "data", warnings));
+  }
+  may_go_on();
   write_tables(study, folder / "tables");
   write_page(study, folder);
   write_text(folder / "data" / "plots.js", plot_templates(resources_folder() / "plots"));
-  write_data(study, pictures, warnings, folder / "data");
+  write_data(study, pictures, warnings, folder / "data", may_go_on);
+  may_go_on();
   fs::create_directories(folder / "plots");
   for (std::string& line : render_plots(folder)) warnings.push_back(std::move(line));
   list_plot_files(folder);

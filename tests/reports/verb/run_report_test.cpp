@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "bench/measure/cancellation.h"
 #include "common/core/error.h"
 #include "tests/reports/fixture/study_fixture.h"
 
@@ -45,6 +46,14 @@ TEST_F(ReportVerb, WritesPageTablesAndDataWithoutNode) {
     for (const std::string ending : {".csv", ".md", ".tex"}) EXPECT_TRUE(fs::exists(report / "tables" / (name + ending))) << name;
   EXPECT_TRUE(fs::exists(report / "data" / "study.js"));
   EXPECT_FALSE(fs::exists(report / "plots" / "ranking.svg"));
+  EXPECT_FALSE(fs::exists(folder_ / "study" / "report.partial"));
+}
+
+TEST_F(ReportVerb, StopsWhenAskedAndLeavesNothing) {
+  *cancellation() = true;
+  EXPECT_THROW(run_report(folder_ / "study", {}, true), WorkError);
+  *cancellation() = false;
+  EXPECT_FALSE(fs::exists(folder_ / "study" / "report"));
   EXPECT_FALSE(fs::exists(folder_ / "study" / "report.partial"));
 }
 
