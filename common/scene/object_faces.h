@@ -8,7 +8,7 @@
 
 namespace gibench {
 
-/// Corners a face may have: triangulating costs up to the cube of them.
+/// Corners a face may have: triangulating costs the square of them.
 inline constexpr std::size_t most_corners = 10000;
 
 /// Adds a face of 3 to most_corners corners, which index into the geometry's vertices: triangles and quads as they are,

@@ -1,5 +1,6 @@
 #include "common/scene/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <numeric>
@@ -31,8 +32,10 @@ std::vector<Vec2d> flattened(std::span<const Vec3d> corners) {
 /// Clips the corners of a polygon one by one.
 class EarClipping {
  public:
-  explicit EarClipping(std::vector<Vec2d> corners) : corners_(std::move(corners)), left_(corners_.size()) {
+  explicit EarClipping(std::vector<Vec2d> corners)
+      : corners_(std::move(corners)), left_(corners_.size()), ears_(corners_.size()) {
     std::iota(left_.begin(), left_.end(), 0U);
+    look_for_ears();
   }
 
   std::vector<std::array<std::uint32_t, 3>> run() {
@@ -64,22 +67,38 @@ class EarClipping {
     return true;
   }
 
+  void look_for_ears() {
+    for (std::size_t i = 0; i < left_.size(); ++i) ears_[i] = is_ear(i);
+  }
+
   /// An ear; in a polygon that is not simple a straight corner, or any.
-  std::size_t next_ear() const {
-    for (std::size_t i = 0; i < left_.size(); ++i)
-      if (is_ear(i)) return i;
+  std::size_t next_ear() {
+    auto ear = std::find(ears_.begin(), ears_.end(), true);
+    if (ear == ears_.end() && is_simple_) {  // corners on the border of others were clipped
+      look_for_ears();
+      ear = std::find(ears_.begin(), ears_.end(), true);
+      is_simple_ = ear != ears_.end();
+    }
+    if (ear != ears_.end()) return static_cast<std::size_t>(ear - ears_.begin());
     for (std::size_t i = 0; i < left_.size(); ++i)
       if (turn_at(i) == 0.0) return i;
     return 1;
   }
 
+  /// In a simple polygon that changes only whether the two neighbours are ears (Meisters 1975); looking at all corners
+  /// again would take the cube of their number.
   void clip(std::size_t i) {
     triangles_.push_back(around(i));
     left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+    ears_.erase(ears_.begin() + static_cast<std::ptrdiff_t>(i));
+    for (const std::size_t neighbour : {(i + left_.size() - 1) % left_.size(), i % left_.size()})
+      ears_[neighbour] = is_ear(neighbour);
   }
 
   std::vector<Vec2d> corners_;
   std::vector<std::uint32_t> left_;
+  std::vector<bool> ears_;  // of those left
+  bool is_simple_ = true;   // as far as is known
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 

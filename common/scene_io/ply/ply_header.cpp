@@ -57,21 +57,25 @@ class HeaderParser {
   /// A line of the header. It ends as the first one does, with \n, \r\n or \r, so that a first byte of the data that looks
   /// like the end of a line is none.
   std::string_view take_line() {
-    if (at_ >= bytes_.size()) place_.refuse_cut_short("its header has no end_header");
+    if (at_ >= bytes_.size()) refuse_without_end();
     if (line_end_.empty()) {
       const auto end = bytes_.find_first_of("\r\n");
       if (end != std::string_view::npos) line_end_ = bytes_.substr(end, bytes_.substr(end).starts_with("\r\n") ? 2 : 1);
     }
     const auto end = line_end_.empty() ? std::string_view::npos : bytes_.find(line_end_, at_);
-    if (end == std::string_view::npos) place_.refuse_cut_short("its header has no end_header");
+    if (end == std::string_view::npos) refuse_without_end();
     line_ = bytes_.substr(at_, end - at_);
     at_ = end + line_end_.size();
     ++header_.lines;
     return line_;
   }
 
+  [[noreturn]] void refuse_without_end() const {
+    place_.refuse("is cut short or damaged: its header has no end_header", "copy or export the whole file again");
+  }
+
   [[noreturn]] void refuse_line() const {
-    if (bytes_.find("end_header", at_) == std::string_view::npos) place_.refuse_cut_short("its header has no end_header");
+    if (bytes_.find("end_header", at_) == std::string_view::npos) refuse_without_end();
     place_.refuse_line(header_.lines, excerpt(line_) + " is not understood");
   }
 

@@ -98,5 +98,21 @@ TEST(Check, ATruncatedModelIsTold) {
   expect_bad_input(shop.gibench({"check", "cut.ply"}), {"cut.ply"});
 }
 
+TEST(Check, ControlCharactersOfFilesAreWrittenOut) {
+  const Workshop shop;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+  const std::string escape = "\033]0;title\a";
+  shop.write("wrong.obj", square + "v 0 " + escape + " 0\n");
+  const Outcome refused = shop.gibench({"check", "wrong.obj"});
+  expect_bad_input(refused, {"line 5", "\\x1b]0;title\\x07"});
+  EXPECT_EQ(refused.error.find('\033'), std::string::npos);
+  shop.write("named.obj", "usemtl " + escape + "\xFC\n" + square);
+  const Outcome taken = shop.gibench({"check", "named.obj"});
+  EXPECT_EQ(taken.status, 0) << taken.error;
+  EXPECT_THAT(taken.out, testing::HasSubstr("\\x1b]0;title\\x07\\xfc"));
+  EXPECT_EQ(taken.out.find('\033'), std::string::npos);
+  EXPECT_EQ(shop.gibench({"check", "named.obj", "--json"}).status, 0);
+}
+
 }  // namespace
 }  // namespace gibench::test

@@ -89,5 +89,11 @@ TEST(Polygon, CrossedAndDegeneratePolygonsEnd) {
   EXPECT_EQ(triangulate_polygon(std::vector<Vec3d>{{0, 0, 0}, {1, nan, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 2, 0}}).size(), 3U);
 }
 
+TEST(Polygon, TenThousandCornersThatCrossEnd) {
+  std::vector<Vec3d> corners;  // the cube of their number would take hours
+  for (int i = 0; i < 10000; ++i) corners.emplace_back((7919 * i) % 9973, (104729 * (i % 8191)) % 8191, 0.0);
+  EXPECT_EQ(triangulate_polygon(corners).size(), corners.size() - 2);
+}
+
 }  // namespace
 }  // namespace gibench::test
