@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "tests/bench/app/program.h"
+#include "tests/bench/app/small_study.h"
 
 namespace gibench::test {
 namespace {
@@ -47,11 +47,12 @@ TEST(Output, ThatIsToBeAFolderAndIsNotIsRefused) {
   const Workshop shop;
   ASSERT_EQ(mkfifo((shop / "pipe").c_str(), 0600), 0);
   shop.write("file", std::string());
+  shop.write("small.study.json", small_study());
   for (const std::string out : {"pipe", "file"}) {
     expect_bad_input(shop.gibench({"run", "room.scene.json", "--method", "pathtracer", "--reference", "none", "--out", out}),
                      {out + ": is not a folder", "choose another --out"});
     expect_bad_input(shop.gibench({"reference", "room.scene.json", "--out", out, "--force"}), {out + ": is not a folder"});
-    expect_bad_input(shop.gibench({"study", "quick", "--out", out}), {out + ": is not a folder"});
+    expect_bad_input(shop.gibench({"study", "small.study.json", "--out", out}), {out + ": is not a folder"});
   }
   EXPECT_TRUE(fs::is_fifo(shop / "pipe"));
   EXPECT_TRUE(fs::is_regular_file(shop / "file"));

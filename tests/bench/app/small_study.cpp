@@ -33,7 +33,8 @@ Json run_of(const Json& manifest, const std::string& id) {
 
 Json answers_in(const Workshop& shop, const std::string& out) {
   Json answers = Json::object();
-  for (const Json& run : shop.read_json(out + "/manifest.json")["runs"]) {
+  const Json manifest = shop.read_json(out + "/manifest.json");
+  for (const Json& run : manifest["runs"]) {
     Json& answer = answers[run["id"].get<std::string>()];
     answer["status"] = run["status"];
     const std::string record = out + "/" + run["folder"].get<std::string>() + "/result.json";

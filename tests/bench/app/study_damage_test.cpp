@@ -43,6 +43,7 @@ class StudyDamage : public testing::Test {
   StudyDamage() {
     EXPECT_EQ(study(shop_, small_study()).status, 0);
     answers_ = answers_in(shop_, "out");
+    EXPECT_EQ(answers_.size(), 2U);
     record_ = shop_.read(file_of(first, "result.json")), other_record_ = shop_.read(file_of(other, "result.json"));
   }
 
@@ -75,13 +76,13 @@ TEST_F(StudyDamage, OfAResultMakesItAgain) {
 
 TEST_F(StudyDamage, OfANumberIsSeenByStudyAndReport) {
   Json changed = Json::parse(record_);
-  changed["errors"]["indirect"]["surface"]["relative_rmse"]["value"] = 0.123;
+  changed["errors"]["indirect"]["surface"]["relative_rmse"]["value"] = 0.987654;
   shop_.write(file_of(first, "result.json"), changed.dump(2) + "\n");
   const std::string told = "runs/" + first + "/result.json: is not as it was written; run the study again";
   const Outcome report = shop_.gibench({"report", "out"});
   EXPECT_EQ(report.status, 0) << report.error;
   EXPECT_THAT(report.error, HasSubstr(told));
-  EXPECT_THAT(shop_.read("out/report/tables/errors.csv"), Not(HasSubstr("0.123")));
+  EXPECT_THAT(shop_.read("out/report/tables/errors.csv"), Not(HasSubstr("0.987654")));
   expect_mended(study(shop_, small_study()), "a changed number");
   EXPECT_THAT(shop_.gibench({"report", "out"}).error, Not(HasSubstr("as it was written")));
 }
@@ -142,7 +143,9 @@ TEST(StudyReference, ThatIsNotWholeGivesNoErrors) {
   for (const std::vector<int>& samples : {std::vector<int>{1}, std::vector<int>{1, 2}}) {
     json["methods"][0]["sweep"]["samples"] = samples;
     EXPECT_EQ(study(shop, json).status, 4);
-    for (const Json& run : shop.read_json("out/manifest.json")["runs"]) {
+    const Json manifest = shop.read_json("out/manifest.json");
+    EXPECT_EQ(manifest["runs"].size(), samples.size());
+    for (const Json& run : manifest["runs"]) {
       EXPECT_EQ(run["status"], "done");
       EXPECT_FALSE(shop.read_json("out/" + run["folder"].get<std::string>() + "/result.json").contains("errors")) << run;
     }
