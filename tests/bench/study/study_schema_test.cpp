@@ -78,7 +78,7 @@ TEST(StudySchema, AgreesWithTheMeasuringOptions) {
 TEST(StudySchema, AgreesWithTheOptionsOfRelightings) {
   const json properties = schema()["definitions"]["relight"]["properties"];
   expect_agreement(properties, relight_fields());
-  expect_no_others(properties, relight_fields(), {"scene", "lights", "method", "label", "parameters", "preset"});
+  expect_no_others(properties, relight_fields(), {"scene", "lights", "method", "preset", "label", "parameters"});
 }
 
 }  // namespace
