@@ -25,6 +25,7 @@ constexpr int most_attempts = 24;
 constexpr double krylov_vectors = 8.0;
 constexpr double bytes_an_element = 1500.0;  // with all but links and tables (README.md, Memory)
 constexpr double many_more = 2.0;            // elements than asked for
+constexpr std::size_t most_apart = 64;       // objects whose trees accessibility keeps apart
 
 SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   SamplingMeshOptions options;
@@ -75,7 +76,7 @@ Discretisation::Discretisation(const World& world, SamplingMesh made, const Sett
       surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
       hierarchy(elements,
                 settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
-                task),
+                task, settings.mode == Mode::accessibility && world.scene().objects.size() <= most_apart),
       reconstruction(world, mesh, elements, settings.backface_rays > 0, task) {}
 
 double direction_table_bytes(const Settings& settings) {

@@ -71,16 +71,17 @@ float thickness_of(const Node& node, const Node& child) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task) {
+Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task, bool sheets_apart) {
   leaf_of_element_.assign(elements.size(), no_element);
   for (std::uint32_t element = 0; element < elements.size(); ++element)
     if (elements.disc(element).area > 0.0F) order_.push_back(element);
   const auto key = [&](std::uint32_t element) {
-    return std::pair(spaces.empty() ? 0U : spaces[element], kind_of(elements, element));
+    return TreeKey(spaces.empty() ? 0U : spaces[element], kind_of(elements, element),
+                   sheets_apart ? elements.sheet(element) : 0U);
   };
   const auto before = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
   if (!std::is_sorted(order_.begin(), order_.end(), before)) std::stable_sort(order_.begin(), order_.end(), before);
-  const std::vector<std::vector<std::uint32_t>> levels = split_all(elements, spaces, task);
+  const std::vector<std::vector<std::uint32_t>> levels = split_all(elements, key, task);
   leaf_nodes_.assign(order_.size(), 0);
   if (task.cancelled()) return;
   for (std::size_t level = levels.size(); level-- > 0;)
@@ -96,20 +97,19 @@ Hierarchy::Kind Hierarchy::kind_of(const Elements& elements, std::uint32_t eleme
 
 /// Level by level: the ranges of a level are disjoint. A subtree of m leaves has 2m − 1 nodes, so that every node knows its
 /// number before its children are made. Returns the nodes of every level.
-std::vector<std::vector<std::uint32_t>> Hierarchy::split_all(const Elements& elements, std::span<const std::uint32_t> spaces,
-                                                             Task& task) {
-  const auto space = [&](std::uint32_t element) { return spaces.empty() ? 0U : spaces[element]; };
+std::vector<std::vector<std::uint32_t>> Hierarchy::split_all(const Elements& elements,
+                                                             const std::function<TreeKey(std::uint32_t)>& key, Task& task) {
   std::vector<std::vector<std::uint32_t>> levels;
   std::vector<Range> level, next;
   std::uint32_t nodes = 0;
   for (std::uint32_t begin = 0; begin < order_.size();) {
-    const Kind kind = kind_of(elements, order_[begin]);
+    const TreeKey shared = key(order_[begin]);
     std::uint32_t end = begin;
-    while (end < order_.size() && kind_of(elements, order_[end]) == kind && space(order_[end]) == space(order_[begin])) ++end;
+    while (end < order_.size() && key(order_[end]) == shared) ++end;
     level.push_back({nodes, begin, end});
     roots_.push_back(nodes);
-    root_spaces_.push_back(space(order_[begin]));
-    root_kinds_.push_back(kind);
+    root_spaces_.push_back(std::get<0>(shared));
+    root_kinds_.push_back(std::get<Kind>(shared));
     nodes += 2 * (end - begin) - 1;
     begin = end;
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "common/core/rgb.h"
@@ -31,13 +33,14 @@ struct alignas(64) Node {
 };
 
 /// Nodes in preorder: a node's subtree is a run, children come after parents. Each space has three trees at most, whatever the
-/// number of objects: of one-sided surfaces, and of the fronts and the backs of two-sided ones.
+/// number of objects: of one-sided surfaces, and of the fronts and the backs of two-sided ones (unless sheets are kept apart).
 class Hierarchy {
  public:
   Hierarchy() = default;
   /// Over the elements that are exposed at all. A node is split in space or by its normals, whichever spread more.
   /// `spaces`: of every element; each has trees of its own (empty: all are in one).
-  Hierarchy(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
+  /// `sheets_apart`: every sheet has a tree of its own, which receivers then start with, one by one.
+  Hierarchy(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task, bool sheets_apart = false);
 
   std::span<const Node> nodes() const { return nodes_; }
   std::size_t size() const { return nodes_.size(); }
@@ -61,10 +64,13 @@ class Hierarchy {
  private:
   enum class Kind : std::uint8_t { one_sided, front, back };
   static Kind kind_of(const Elements& elements, std::uint32_t element);
+  /// What the elements of one tree have in common.
+  using TreeKey = std::tuple<std::uint32_t, Kind, std::uint32_t>;
   struct Range {
     std::uint32_t node, begin, end;
   };
-  std::vector<std::vector<std::uint32_t>> split_all(const Elements& elements, std::span<const std::uint32_t> spaces, Task& task);
+  std::vector<std::vector<std::uint32_t>> split_all(const Elements& elements, const std::function<TreeKey(std::uint32_t)>& key,
+                                                    Task& task);
   std::uint32_t split(const Elements& elements, const Range& range);
   void fill(const Elements& elements, std::uint32_t index);
 

@@ -257,7 +257,7 @@ TEST(Accessibility, BlockersGrowAsNLogN) {
   const World world(made::box_scene());
   std::vector<double> cost, size;
   for (const char* count : {"500", "8000"}) {
-    const Discretisation parts(world, settings({{"elements", count}}), task);
+    const Discretisation parts(world, settings({{"mode", "accessibility"}, {"elements", count}}), task);
     Accessibility fast(parts.elements, parts.hierarchy, 0.02F);
     fast.compute(2, task);
     size.push_back(std::log(static_cast<double>(parts.hierarchy.leaf_count())));
