@@ -6,6 +6,7 @@
 
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
+#include "common/image/picture_format.h"
 #include "common/image/png_check.h"
 #include "common/image/srgb.h"
 
@@ -25,11 +26,16 @@ DecodedImage decode_image(const std::filesystem::path& file) {
   std::error_code unreadable;
   if (!std::filesystem::is_regular_file(file, unreadable))
     throw InputError(file.string(), "no such image file", "name an EXR, HDR, PNG or JPEG file that exists");
+  return decode_image(read_file(file), file.string());
+}
+
+DecodedImage decode_image(std::string_view bytes, const std::string& name) {
   DecodedImage decoded;
-  std::string failure = png_damage(read_file(file));
-  if (failure.empty()) failure = image_plugin().decode(file.string(), decoded);
+  const std::string format = picture_format(bytes, name);
+  std::string failure = format.empty() ? "its first bytes are those of no format that is read" : png_damage(bytes);
+  if (failure.empty()) failure = image_plugin().decode(bytes, format, decoded);
   if (!failure.empty())
-    throw InputError(file.string(), "cannot be read as an image (" + failure + ")", "give a whole EXR, HDR, PNG or JPEG file");
+    throw InputError(name, "cannot be read as an image (" + failure + ")", "give a whole EXR, HDR, PNG or JPEG file");
   return decoded;
 }
 
@@ -41,6 +47,8 @@ std::optional<ColourChannels> colour_channels(const DecodedImage& image, const s
   if (const auto grey = channel_named(image, prefix + "Y")) return ColourChannels{*grey, *grey, *grey};
   return std::nullopt;
 }
+
+std::optional<std::size_t> alpha_channel(const DecodedImage& image) { return channel_named(image, "A"); }
 
 Image linear_image(const DecodedImage& decoded, const ColourChannels& channels) {
   // Decoding the same few levels again and again is most of reading a picture: a table for 8 bits, a pow for the rest.

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct EncodedChannel {
 
 /// Each returns an empty text, or one that says what went wrong.
 struct ImagePluginFunctions {
-  std::string (*decode)(const std::string& file, DecodedImage& image);
+  /// `bytes`: a whole file; `format`: OpenImageIO's name of its format.
+  std::string (*decode)(std::string_view bytes, const std::string& format, DecodedImage& image);
   std::string (*encode_exr)(int width, int height, std::span<const EncodedChannel> channels,
                             std::span<const std::pair<std::string, std::string>> header, std::vector<char>& bytes);
   /// `rgb`: 8-bit sRGB, three bytes per pixel.

@@ -52,12 +52,14 @@ void place_data_window(const OIIO::ImageSpec& spec, const std::vector<float>& da
   }
 }
 
-std::string decode_file(const std::string& file, DecodedImage& image) {
-  OIIO::ImageSpec wishes;
+std::string decode_bytes(std::string_view bytes, const std::string& format, DecodedImage& image) {
+  OIIO::ImageSpec wishes, spec;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file, &wishes);
+  OIIO::Filesystem::IOMemReader source(bytes.data(), bytes.size());
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input) return without_trailing_space(OIIO::geterror());
-  const OIIO::ImageSpec spec = input->spec();
+  if (!input->set_ioproxy(&source)) return format + " cannot be read from memory";
+  if (!input->open("memory." + format, spec, wishes)) return without_trailing_space(input->geterror());
   const bool windows_agree =
       spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width && spec.height == spec.full_height;
   if (spec.width <= 0 || spec.height <= 0 || spec.full_width <= 0 || spec.full_height <= 0 || spec.nchannels <= 0)
@@ -116,7 +118,9 @@ std::string encode_srgb_png(int width, int height, std::span<const std::uint8_t>
 }
 
 constexpr ImagePluginFunctions functions{
-    [](const std::string& file, DecodedImage& image) { return guarded([&] { return decode_file(file, image); }); },
+    [](std::string_view bytes, const std::string& format, DecodedImage& image) {
+      return guarded([&] { return decode_bytes(bytes, format, image); });
+    },
     [](int width, int height, std::span<const EncodedChannel> channels,
        std::span<const std::pair<std::string, std::string>> header,
        std::vector<char>& bytes) { return guarded([&] { return encode_float_exr(width, height, channels, header, bytes); }); },
