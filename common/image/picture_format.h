@@ -7,7 +7,7 @@
 
 namespace gibench {
 
-/// OpenImageIO's name of the format ("openexr", "png"), empty where it is none that gibench reads. A Targa picture has
+/// OpenImageIO's name of the format ("openexr", "png"), empty for formats that gibench does not read. A Targa picture has
 /// no mark of its own: its `name` decides.
 std::string picture_format(std::string_view bytes, const std::filesystem::path& name);
 
