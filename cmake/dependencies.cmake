@@ -56,6 +56,7 @@ endif()
 if(NOT OIIO_FOUND)
   list(APPEND gibench_missing libopenimageio-dev)
 endif()
+gibench_find_tool(PNG libpng-dev)
 gibench_find_header(VALIJSON_INCLUDE_DIR libvalijson-dev valijson/validator.hpp)
 gibench_find_header(XXHASH_INCLUDE_DIR libxxhash-dev xxhash.h)
 

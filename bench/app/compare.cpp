@@ -67,13 +67,20 @@ void print_table(const Json& json) {
       fmt::print("{:<28} {:.6g}\n", statistic == "value" ? name : name + " " + statistic, value.get<double>());
 }
 
-ExitStatus compare(const CompareOptions& options, bool json) {
+ImageFile read_compared(const std::string& file, bool quiet) {
+  ImageFile read = read_image_file(file);
+  if (!quiet)
+    for (const std::string& warning : read.warnings) fmt::print(stderr, "gibench: warning: {}: {}\n", file, warning);
+  return read;
+}
+
+ExitStatus compare(const CompareOptions& options, const CommonOptions& common) {
   ComparisonOptions how;
   how.pixels_per_degree = options.pixels_per_degree;
   if (!options.exposures.empty()) how.exposures = parse_exposures(options.exposures);
-  const ImageFile reference = read_image_file(options.reference), test = read_image_file(options.test);
+  const ImageFile reference = read_compared(options.reference, common.quiet), test = read_compared(options.test, common.quiet);
   const Json result = to_json(compare_images(reference, options.reference, test, options.test, how));
-  if (json) print_json(result);
+  if (common.json) print_json(result);
   else print_table(result);
   return ExitStatus::done;
 }
@@ -93,7 +100,7 @@ void add_compare(CLI::App& app, Call& call) {
       ->check(CLI::Range(1.0F, 1000.0F))
       ->capture_default_str();
   verb->add_option("--exposures", options->exposures, "START,STOP,N of HDR-FLIP, in stops; without it from the reference");
-  verb->callback([&call, options] { call.action = [&call, options] { return compare(*options, call.common.json); }; });
+  verb->callback([&call, options] { call.action = [&call, options] { return compare(*options, call.common); }; });
 }
 
 }  // namespace gibench

@@ -1,13 +1,18 @@
 #include "common/image/decoded_image.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
+#include "common/image/exr_check.h"
+#include "common/image/hdr_header.h"
 #include "common/image/picture_format.h"
 #include "common/image/png_check.h"
+#include "common/image/size_check.h"
 #include "common/image/srgb.h"
 
 namespace gibench {
@@ -20,6 +25,34 @@ std::optional<std::size_t> channel_named(const DecodedImage& image, const std::s
   return static_cast<std::size_t>(found - image.channels.begin());
 }
 
+std::string damage_of(std::string_view bytes, const std::string& format) {
+  std::string damage = size_damage(bytes, format);
+  if (damage.empty() && format == "png") damage = png_damage(bytes);
+  if (damage.empty() && format == "openexr") damage = exr_damage(bytes);
+  return damage;
+}
+
+/// Without control characters, which names in a file may hold.
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return text;
+}
+
+void take_header(DecodedImage& decoded, const HdrHeader& header) {
+  decoded.chromaticities = header.primaries;
+  const auto factor = static_cast<float>(1.0 / header.exposure);
+  if (factor == 1.0F) return;
+  for (float& sample : decoded.samples) sample *= factor;
+}
+
+/// From the file's primaries; empty where they are those of Rec. 709, or the three channels are one grey.
+std::optional<ColourConversion> conversion_of(const DecodedImage& decoded, const ColourChannels& channels) {
+  const bool has_colours = channels[0] != channels[1];
+  if (!has_colours || !decoded.chromaticities || are_rec709(*decoded.chromaticities)) return std::nullopt;
+  return ColourConversion::to_rec709(*decoded.chromaticities);
+}
+
 }  // namespace
 
 DecodedImage decode_image(const std::filesystem::path& file) {
@@ -30,12 +63,21 @@ DecodedImage decode_image(const std::filesystem::path& file) {
 }
 
 DecodedImage decode_image(std::string_view bytes, const std::string& name) {
-  DecodedImage decoded;
   const std::string format = picture_format(bytes, name);
-  std::string failure = format.empty() ? "its first bytes are those of no format that is read" : png_damage(bytes);
+  if (format.empty())
+    throw InputError(name, "cannot be read as an image (its first bytes are those of no format that is read)",
+                     "give an EXR, HDR, PNG or JPEG file");
+  DecodedImage decoded;
+  std::string failure = damage_of(bytes, format);
+  if (failure.empty() && format == "openexr" && is_luminance_chroma(bytes))
+    throw InputError(name, "holds luminance and chroma (channels Y, RY, BY), which are not read", "convert it to R, G, B");
   if (failure.empty()) failure = image_plugin().decode(bytes, format, decoded);
   if (!failure.empty())
-    throw InputError(name, "cannot be read as an image (" + failure + ")", "give a whole EXR, HDR, PNG or JPEG file");
+    throw InputError(name, "cannot be read as an image (" + printable(failure) + ")", "give a whole EXR, HDR, PNG or JPEG file");
+  for (std::string& remark : decoded.remarks) remark = printable(std::move(remark));
+  if (format == "hdr") take_header(decoded, read_hdr_header(bytes));
+  if (decoded.chromaticities && !ColourConversion::to_rec709(*decoded.chromaticities))
+    throw InputError(name, "the chromaticities of its header span no colours", "correct them");
   return decoded;
 }
 
@@ -60,12 +102,14 @@ Image linear_image(const DecodedImage& decoded, const ColourChannels& channels) 
     const float nearest = std::nearbyint(level);
     return std::abs(level - nearest) < 1e-4F ? table[static_cast<std::size_t>(nearest)] : srgb_to_linear(sample);
   };
+  const std::optional<ColourConversion> conversion = conversion_of(decoded, channels);
   Image image{decoded.width, decoded.height, {}};
   const std::size_t stride = decoded.channels.size();
   image.pixels.resize(decoded.samples.size() / stride);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float* const pixel = decoded.samples.data() + i * stride;
     image.pixels[i] = {value_of(pixel[channels[0]]), value_of(pixel[channels[1]]), value_of(pixel[channels[2]])};
+    if (conversion) image.pixels[i] = (*conversion)(image.pixels[i]);
   }
   return image;
 }

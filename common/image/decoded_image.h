@@ -12,7 +12,8 @@
 
 namespace gibench {
 
-/// All channels of a file. InputError if it is missing, unreadable or truncated.
+/// All channels of a file, of one part where it has several. InputError if it is missing, unreadable or truncated, or its
+/// colours are stated in a way that is not read.
 DecodedImage decode_image(const std::filesystem::path& file);
 /// The same of a file's bytes. `name`: what messages call it; its ending decides where the bytes leave the format open.
 DecodedImage decode_image(std::string_view bytes, const std::string& name);
@@ -26,7 +27,7 @@ std::optional<ColourChannels> colour_channels(const DecodedImage& image, const s
 /// Position of the alpha channel; empty where the picture has none.
 std::optional<std::size_t> alpha_channel(const DecodedImage& image);
 
-/// Floating-point samples as stored, integer ones decoded from sRGB.
+/// Floating-point samples as stored, integer ones decoded from sRGB; colours of the file's primaries become Rec. 709.
 Image linear_image(const DecodedImage& decoded, const ColourChannels& channels);
 
 }  // namespace gibench

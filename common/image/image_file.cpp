@@ -28,7 +28,12 @@ ImageFile read_image_file(const std::filesystem::path& file, const std::string& 
   if (!channels)
     throw InputError(file.string(), layer.empty() ? "has neither R, G, B nor Y channels" : "has no layer \"" + layer + "\"",
                      "give a picture with colour or grey channels of that name");
-  return {linear_image(decoded, *channels), !decoded.integer_samples, std::move(decoded.header)};
+  return {linear_image(decoded, *channels), !decoded.integer_samples, std::move(decoded.header), std::move(decoded.remarks)};
+}
+
+bool ImageFile::is_cube_map() const {
+  const auto format = header.find("textureformat");  // OpenImageIO's word for an EXR's attribute "envmap"
+  return format != header.end() && format->second.starts_with("CubeFace");
 }
 
 Image read_image(const std::filesystem::path& file) { return read_image_file(file).image; }

@@ -25,11 +25,17 @@ struct ImageFile {
   Image image;
   bool high_dynamic_range = false;            ///< floating-point samples (EXR, HDR): linear as stored, no upper end
   std::map<std::string, std::string> header;  ///< the file's text attributes
+  std::vector<std::string> warnings = {};     ///< what of the file was not read
+
+  /// Whether it holds the six faces of a cube, as its header says.
+  bool is_cube_map() const;
 };
 
 /// Reads the default R,G,B of an EXR or HDR (linear) or a PNG or JPEG of 8 or 16 bits (sRGB, decoded to linear).
 /// Grey becomes three equal channels; alpha is ignored, the colours stay as stored. An EXR gives its display window,
-/// black where the file has no data. InputError if the file is missing, unreadable, truncated or has no colours.
+/// black where the file has no data, and of several parts the one with R, G, B. Colours of other primaries, as an EXR or HDR
+/// states them, become those of Rec. 709; the exposure of an HDR is taken out again. InputError if the file is missing,
+/// unreadable, truncated, has no colours, or has luminance and chroma instead.
 Image read_image(const std::filesystem::path& file);
 /// The same with the header. A `layer` other than "" asks for LAYER.R, LAYER.G, LAYER.B of an EXR.
 ImageFile read_image_file(const std::filesystem::path& file, const std::string& layer = {});

@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "common/image/primaries.h"
 
 namespace gibench {
 
@@ -19,6 +22,8 @@ struct DecodedImage {
   bool integer_samples = false;       ///< unsigned integers scaled to [0, 1]; else floating point as stored
   std::vector<float> samples;         ///< width × height × channels
   std::map<std::string, std::string> header;
+  std::optional<Chromaticities> chromaticities;  ///< of the file's red, green and blue; empty: it does not say
+  std::vector<std::string> remarks;              ///< what of the file is not read
 };
 
 /// One EXR channel to write: every `stride`-th float from `first`.

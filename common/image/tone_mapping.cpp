@@ -1,5 +1,6 @@
 #include "common/image/tone_mapping.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/core/parallel.h"
@@ -7,18 +8,32 @@
 
 namespace gibench {
 
+namespace {
+
+/// In double: the exposure of the largest floats is less than a float holds.
+class Exposing {
+ public:
+  explicit Exposing(float stops) : scale_(std::exp2(static_cast<double>(stops))) {}
+
+  Rgb operator()(const Rgb& pixel) const { return Rgb(scale_ * RgbDouble(pixel)); }
+
+ private:
+  double scale_;
+};
+
+}  // namespace
+
 std::vector<Rgb> exposed(std::span<const Rgb> pixels, float stops) {
-  const float scale = std::exp2(stops);
-  std::vector<Rgb> scaled(pixels.begin(), pixels.end());
-  for (Rgb& pixel : scaled) pixel *= scale;
+  std::vector<Rgb> scaled(pixels.size());
+  std::ranges::transform(pixels, scaled.begin(), Exposing(stops));
   return scaled;
 }
 
 std::vector<Rgb> display_values(std::span<const Rgb> pixels, float stops) {
-  const float scale = std::exp2(stops);
+  const Exposing expose(stops);
   std::vector<Rgb> encoded(pixels.size());
   parallel_chunks(0, pixels.size(), 16384, [&](const ChunkRange& range) {
-    for (std::size_t i = range.begin; i < range.end; ++i) encoded[i] = linear_to_srgb(clamp_unit(scale * pixels[i]));
+    for (std::size_t i = range.begin; i < range.end; ++i) encoded[i] = linear_to_srgb(clamp_unit(expose(pixels[i])));
   });
   return encoded;
 }

@@ -10,8 +10,8 @@ Exposure automatic_exposure(std::span<const Rgb> pixels) {
   double sum_of_logarithms = 0.0;
   std::size_t lit = 0;
   for (const Rgb& pixel : pixels)
-    if (const float y = luminance(pixel); y > 0.0F && std::isfinite(y)) {
-      sum_of_logarithms += std::log2(double{y});
+    if (const double y = luminance(RgbDouble(pixel)); y > 0.0 && std::isfinite(y)) {
+      sum_of_logarithms += std::log2(y);
       ++lit;
     }
   if (lit == 0) return {0.0F, 0.0F, 1.0F};

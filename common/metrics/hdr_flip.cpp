@@ -33,9 +33,9 @@ double inverse_of(const Rational& k, double level) {
   return std::max((-b + root) / (2.0 * a), (-b - root) / (2.0 * a));
 }
 
-double median_of_sorted(std::span<const float> sorted) {
+double median_of_sorted(std::span<const double> sorted) {
   const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? double{sorted[middle]} : 0.5 * (double{sorted[middle - 1]} + double{sorted[middle]});
+  return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
 }
 
 }  // namespace
@@ -53,13 +53,13 @@ ExposureRange exposure_range(float start, float stop) {
 }
 
 ExposureRange automatic_exposures(std::span<const Rgb> reference, ToneMapper tone_mapper) {
-  std::vector<float> luminances;
-  for (const Rgb& pixel : reference) luminances.push_back(std::max(0.0F, luminance(pixel)));
+  std::vector<double> luminances;  // the sum of three floats may be more than a float
+  for (const Rgb& pixel : reference) luminances.push_back(std::max(0.0, luminance(RgbDouble(pixel))));
   std::sort(luminances.begin(), luminances.end());
-  if (luminances.empty() || !(luminances.back() > 0.0F)) return {0.0F, 0.0F, 2};
+  if (luminances.empty() || !(luminances.back() > 0.0)) return {0.0F, 0.0F, 2};
   double median = median_of_sorted(luminances);
   if (!(median > 0.0)) {
-    const auto first_lit = std::upper_bound(luminances.begin(), luminances.end(), 0.0F);
+    const auto first_lit = std::upper_bound(luminances.begin(), luminances.end(), 0.0);
     median = median_of_sorted(std::span(first_lit, luminances.end()));
   }
   const double bright = inverse_of(curve_of(tone_mapper), 0.85);
@@ -70,10 +70,10 @@ ExposureRange automatic_exposures(std::span<const Rgb> reference, ToneMapper ton
 std::vector<Rgb> tone_mapped(std::span<const Rgb> pixels, float exposure, ToneMapper tone_mapper) {
   std::array<float, 6> k;
   std::ranges::transform(curve_of(tone_mapper), k.begin(), [](double coefficient) { return static_cast<float>(coefficient); });
-  const float scale = std::exp2(exposure);
-  constexpr float white = 1e8F;  // where every curve has long reached its end, and squares stay finite
+  const double scale = std::exp2(static_cast<double>(exposure));  // of the largest floats it is less than a float holds
+  constexpr double white = 1e8;  // where every curve has long reached its end, and squares stay finite
   const auto map = [&](float value) {
-    const float x = std::clamp(scale * value, 0.0F, white);
+    const auto x = static_cast<float>(std::clamp(scale * static_cast<double>(value), 0.0, white));
     return clamp_unit((k[0] * x * x + k[1] * x + k[2]) / (k[3] * x * x + k[4] * x + k[5]));
   };
   std::vector<Rgb> mapped(pixels.size());

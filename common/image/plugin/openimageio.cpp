@@ -11,13 +11,16 @@
 #include <string>
 
 #include "common/image/image_plugin.h"
+#include "common/image/plugin/png_decoding.h"
 
 namespace gibench {
 
 namespace {
 
-/// Larger than any picture meant, smaller than what a broken header would ask for.
-constexpr std::int64_t most_samples = std::int64_t{1} << 31;
+/// Larger than any picture meant (16384 × 8192 of four channels), smaller than what a broken header would ask for.
+constexpr std::int64_t most_samples = std::int64_t{1} << 29;
+/// Formats that are not checked before have none that makes more samples of one byte; small pictures are not asked.
+constexpr std::int64_t most_samples_a_byte = 16384, samples_not_asked_about = std::int64_t{1} << 24;
 
 std::string without_trailing_space(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
@@ -40,19 +43,88 @@ bool has_integer_samples(const OIIO::ImageSpec& spec) { return !spec.format.is_f
 
 /// Copies the file's data window into its display window, which stays black elsewhere.
 void place_data_window(const OIIO::ImageSpec& spec, const std::vector<float>& data, DecodedImage& image) {
-  const int channels = spec.nchannels;
+  const std::ptrdiff_t channels = spec.nchannels;
   image.samples.assign(
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(channels), 0.0F);
-  const int left = std::max(spec.x, spec.full_x), right = std::min(spec.x + spec.width, spec.full_x + spec.full_width);
-  const int top = std::max(spec.y, spec.full_y), bottom = std::min(spec.y + spec.height, spec.full_y + spec.full_height);
-  for (int y = top; y < bottom && left < right; ++y) {
-    const std::ptrdiff_t from = (std::ptrdiff_t{y - spec.y} * spec.width + (left - spec.x)) * channels;
-    const std::ptrdiff_t to = (std::ptrdiff_t{y - spec.full_y} * spec.full_width + (left - spec.full_x)) * channels;
-    std::copy_n(data.begin() + from, std::ptrdiff_t{right - left} * channels, image.samples.begin() + to);
+  const auto end_of = [](int begin, int size) { return std::int64_t{begin} + size; };
+  const std::int64_t left = std::max(spec.x, spec.full_x), top = std::max(spec.y, spec.full_y);
+  const std::int64_t right = std::min(end_of(spec.x, spec.width), end_of(spec.full_x, spec.full_width));
+  const std::int64_t bottom = std::min(end_of(spec.y, spec.height), end_of(spec.full_y, spec.full_height));
+  for (std::int64_t y = top; y < bottom && left < right; ++y) {
+    const std::ptrdiff_t from = ((y - spec.y) * spec.width + (left - spec.x)) * channels;
+    const std::ptrdiff_t to = ((y - spec.full_y) * spec.full_width + (left - spec.full_x)) * channels;
+    std::copy_n(data.begin() + from, (right - left) * channels, image.samples.begin() + to);
   }
 }
 
+bool has_channel(const OIIO::ImageSpec& spec, const char* name) {
+  return std::ranges::find(spec.channelnames, name) != spec.channelnames.end();
+}
+
+/// How well a part serves as a picture: with colours, grey, with neither, not at all.
+int worth_of(const OIIO::ImageSpec& spec) {
+  if (spec.deep) return 0;
+  if (has_channel(spec, "R") && has_channel(spec, "G") && has_channel(spec, "B")) return 3;
+  return has_channel(spec, "Y") ? 2 : 1;
+}
+
+std::string name_of_part(const OIIO::ImageSpec& spec, int part) {
+  const std::string name = spec.get_string_attribute("oiio:subimagename");
+  return name.empty() ? std::to_string(part + 1) : "\"" + name + "\"";
+}
+
+/// The first of the parts that serve best; a remark names the others.
+int best_part(OIIO::ImageInput& input, std::vector<std::string>& remarks) {
+  std::vector<std::string> names;
+  int best = 0, worth = -1;
+  for (int part = 0; input.seek_subimage(part, 0); ++part) {
+    const OIIO::ImageSpec spec = input.spec();
+    names.push_back(name_of_part(spec, part));
+    if (worth_of(spec) > worth) best = part, worth = worth_of(spec);
+  }
+  input.geterror();  // that there are no more parts
+  if (names.size() < 2) return best;
+  std::string others;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (static_cast<int>(i) != best) others += (others.empty() ? "" : ", ") + names[i];
+  remarks.push_back("of its parts only " + names[static_cast<std::size_t>(best)] + " is read, not " + others);
+  return best;
+}
+
+/// OpenEXR's parts are pictures of one view; what other formats hold besides the first is another page or the next frame.
+int chosen_part(OIIO::ImageInput& input, const std::string& format, std::vector<std::string>& remarks) {
+  if (format == "openexr") return best_part(input, remarks);
+  if ((format == "tiff" || format == "gif") && input.seek_subimage(1, 0))
+    remarks.push_back("only the first of its pictures is read");
+  input.geterror();  // that there is only one
+  return 0;
+}
+
+std::string size_fault(const OIIO::ImageSpec& spec, std::size_t bytes) {
+  if (spec.width <= 0 || spec.height <= 0 || spec.full_width <= 0 || spec.full_height <= 0 || spec.nchannels <= 0)
+    return "no pixels";
+  const auto too_many = [&](int width, int height) { return std::int64_t{width} * height > most_samples / spec.nchannels; };
+  if (too_many(spec.width, spec.height) || too_many(spec.full_width, spec.full_height)) return "more pixels than a picture has";
+  const std::int64_t samples = std::int64_t{spec.width} * spec.height * spec.nchannels;
+  if (samples > samples_not_asked_about && samples / most_samples_a_byte > static_cast<std::int64_t>(bytes))
+    return "its header states more pixels than a file of its length can hold";
+  return {};
+}
+
+void take_header(const OIIO::ImageSpec& spec, DecodedImage& image) {
+  image.width = spec.full_width;
+  image.height = spec.full_height;
+  image.channels = spec.channelnames;
+  image.integer_samples = has_integer_samples(spec);
+  for (const OIIO::ParamValue& attribute : spec.extra_attribs)
+    if (attribute.type() == OIIO::TypeString) image.header[attribute.name().string()] = attribute.get_string();
+  Chromaticities chromaticities{};
+  const OIIO::TypeDesc eight_floats(OIIO::TypeDesc::FLOAT, static_cast<int>(chromaticities.size()));
+  if (spec.getattribute("chromaticities", eight_floats, chromaticities.data())) image.chromaticities = chromaticities;
+}
+
 std::string decode_bytes(std::string_view bytes, const std::string& format, DecodedImage& image) {
+  if (format == "png") return decode_png(bytes, most_samples, image);
   OIIO::ImageSpec wishes, spec;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   OIIO::Filesystem::IOMemReader source(bytes.data(), bytes.size());
@@ -60,21 +132,17 @@ std::string decode_bytes(std::string_view bytes, const std::string& format, Deco
   if (!input) return without_trailing_space(OIIO::geterror());
   if (!input->set_ioproxy(&source)) return format + " cannot be read from memory";
   if (!input->open("memory." + format, spec, wishes)) return without_trailing_space(input->geterror());
+  const int part = chosen_part(*input, format, image.remarks);
+  if (!input->seek_subimage(part, 0)) return without_trailing_space(input->geterror());
+  spec = input->spec();
+  if (spec.deep) return "its samples are deep, which are not read";
+  if (std::string fault = size_fault(spec, bytes.size()); !fault.empty()) return fault;
+  std::vector<float> data(static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels));
+  if (!input->read_image(part, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, data.data()))
+    return without_trailing_space(input->geterror());
+  take_header(spec, image);
   const bool windows_agree =
       spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width && spec.height == spec.full_height;
-  if (spec.width <= 0 || spec.height <= 0 || spec.full_width <= 0 || spec.full_height <= 0 || spec.nchannels <= 0)
-    return "no pixels";
-  const auto samples = [&](int width, int height) { return std::int64_t{width} * height > most_samples / spec.nchannels; };
-  if (samples(spec.width, spec.height) || samples(spec.full_width, spec.full_height)) return "more pixels than a picture has";
-  std::vector<float> data(static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, data.data()))
-    return without_trailing_space(input->geterror());
-  image.width = spec.full_width;
-  image.height = spec.full_height;
-  image.channels = spec.channelnames;
-  image.integer_samples = has_integer_samples(spec);
-  for (const OIIO::ParamValue& attribute : spec.extra_attribs)
-    if (attribute.type() == OIIO::TypeString) image.header[attribute.name().string()] = attribute.get_string();
   if (windows_agree) image.samples = std::move(data);
   else place_data_window(spec, data, image);
   return {};

@@ -22,8 +22,12 @@ float cosine_of(double degrees) { return static_cast<float>(std::cos(degrees * p
 std::shared_ptr<const EnvironmentImage> read_picture(const std::filesystem::path& file, const JsonPlace& place, Scene& scene) {
   auto picture = std::make_shared<EnvironmentImage>();
   try {
-    Image image = read_image(file);
-    *picture = {image.width, image.height, std::move(image.pixels)};
+    ImageFile read = read_image_file(file);
+    if (read.is_cube_map())
+      throw InputError(file.string(), "holds the six faces of a cube",
+                       "convert it to latitude and longitude, twice as wide as high");
+    for (const std::string& warning : read.warnings) scene.warnings.push_back(file.filename().string() + ": " + warning);
+    *picture = {read.image.width, read.image.height, std::move(read.image.pixels)};
   } catch (const InputError& error) {
     throw InputError(place.text(), error.what());
   }

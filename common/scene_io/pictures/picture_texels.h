@@ -20,6 +20,7 @@ struct Texel {
 struct PictureTexels {
   int width = 0, height = 0;
   std::vector<Texel> texels;
+  std::vector<std::string> remarks = {};  ///< what of the file was not read
 };
 
 /// The meaning of the levels of an 8- or 16-bit picture.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,35 @@ TEST(CompareImages, EqualPicturesDifferInNothing) {
     EXPECT_EQ(same.values.at("psnr"), 100.0);
     EXPECT_EQ(same.values.size(), 10U);
   }
+}
+
+TEST(CompareImages, ValuesAtTheEndOfFloatAreShownAsAnyOthers) {
+  // What is shown, and so every metric of it, does not depend on the unit: the exposure follows the reference.
+  ImageFile test = picture(true, 0.5F);
+  std::ranges::reverse(test.image.pixels);
+  const ImageComparison plain = compare_images(picture(true, 1.0F), "a", test, "b", {});
+  EXPECT_LT(plain.values.at("psnr"), 30.0);
+  for (const int stops : {-100, 100, 124, 126, 127}) {
+    const auto scaled = [&](ImageFile file) {
+      for (Rgb& pixel : file.image.pixels) pixel *= std::ldexp(1.0F, stops);
+      return file;
+    };
+    const ImageComparison same = compare_images(scaled(picture(true, 1.0F)), "a", scaled(test), "b", {});
+    EXPECT_NEAR(same.values.at("psnr"), plain.values.at("psnr"), 1e-4) << stops;
+    EXPECT_NEAR(same.values.at("ssim"), plain.values.at("ssim"), 1e-4) << stops;
+    EXPECT_NEAR(same.flip.mean, plain.flip.mean, 1e-4) << stops;
+    EXPECT_NEAR(same.flip.max, plain.flip.max, 1e-4) << stops;
+  }
+}
+
+TEST(CompareImages, APictureOfTheLargestFloatsIsNotThatOfItsHalf) {
+  ImageFile reference = picture(true, 1.0F), test = reference;
+  std::ranges::fill(reference.image.pixels, Rgb(std::numeric_limits<float>::max()));
+  std::ranges::fill(test.image.pixels, Rgb(0.3F * std::numeric_limits<float>::max()));
+  const ImageComparison compared = compare_images(reference, "a", test, "b", {});
+  EXPECT_LT(compared.values.at("psnr"), 20.0);
+  EXPECT_LT(compared.values.at("ssim"), 0.95);
+  EXPECT_GT(compared.flip.mean, 0.1);
 }
 
 TEST(CompareImages, TheFirstIsTheReference) {

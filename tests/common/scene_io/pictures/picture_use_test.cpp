@@ -15,7 +15,7 @@ namespace gibench {
 namespace {
 
 PictureTexels picture_of(int width, int height, const std::function<Texel(int, int)>& texel) {
-  PictureTexels picture{width, height, {}};
+  PictureTexels picture{width, height, {}, {}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) picture.texels.push_back(texel(x, y));
   return picture;
