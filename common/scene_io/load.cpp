@@ -4,7 +4,7 @@
 #include "common/core/error.h"
 #include "common/core/find_file.h"
 #include "common/scene_io/assimp/model_name.h"
-#include "common/scene_io/assimp/model_scene.h"
+#include "common/scene_io/models/model_scene.h"
 #include "common/scene_io/native/scene_file.h"
 
 namespace gibench {
@@ -17,7 +17,7 @@ Scene load_scene(const std::filesystem::path& path) {
   } else if (is_model_name(file)) {
     scene = load_model_scene(file, scene_name_of(file));
   } else {
-    throw InputError(path.string(), "this is neither a scene file nor a model that Assimp reads",
+    throw InputError(path.string(), "this is neither a scene file nor a model that gibench reads",
                      "give a NAME.scene.json or an OBJ, PLY, glTF, STL or other model file");
   }
   scene.file = file;

@@ -1,4 +1,4 @@
-/// Loading a scene: NAME.scene.json, or a bare model file that Assimp reads.
+/// Loading a scene: NAME.scene.json, or a bare model file.
 #pragma once
 
 #include <filesystem>

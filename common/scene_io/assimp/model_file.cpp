@@ -94,7 +94,7 @@ void warn_of_lost_precision(const std::filesystem::path& file, Model& model) {
 
 }  // namespace
 
-Model read_model(const std::filesystem::path& file, const std::string& place, bool with_materials) {
+Model read_with_assimp(const std::filesystem::path& file, const std::string& place, bool with_materials) {
   const std::string shown = in_quotes(file.string());
   if (!is_model_name(file))
     throw InputError(place, shown + " is not a model file that Assimp reads", "use OBJ, PLY, glTF, STL or another model format");
@@ -117,8 +117,8 @@ Model read_model(const std::filesystem::path& file, const std::string& place, bo
   std::vector<bool> used(scene->mNumMaterials, false);
   for (const ModelPart& part : model.parts) used[part.material] = with_materials;
   read_model_materials(*scene, file, used, model);
-  read_model_lights(*scene, is_gltf_name(file), model);
-  read_model_cameras(*scene, is_gltf_name(file), model);
+  read_model_lights(*scene, model);
+  read_model_cameras(*scene, model);
   if (const std::string missing = log.line_with("Unable to locate material file"); with_materials && !missing.empty())
     model.warnings.push_back(file.filename().string() + ": " + missing);
   return model;

@@ -3,11 +3,11 @@
 
 #include <assimp/scene.h>
 
-#include "common/scene_io/assimp/model.h"
+#include "common/scene_io/model.h"
 
 namespace gibench {
 
-void read_model_lights(const aiScene& scene, bool is_gltf, Model& model);
-void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model);
+void read_model_lights(const aiScene& scene, Model& model);
+void read_model_cameras(const aiScene& scene, Model& model);
 
 }  // namespace gibench

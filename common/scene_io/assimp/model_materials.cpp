@@ -6,8 +6,6 @@
 
 #include "common/core/error.h"
 #include "common/core/names.h"
-#include "common/scene_io/assimp/gltf_strength.h"
-#include "common/scene_io/assimp/model_name.h"
 #include "common/scene_io/assimp/picture_mean.h"
 
 namespace gibench {
@@ -25,8 +23,7 @@ constexpr float dielectric_f0 = 0.04F;
 /// Reads one material; what is not simulated or had to be changed is collected as remarks.
 class MaterialReader {
  public:
-  MaterialReader(const aiMaterial& source, PictureMeans& pictures, float emissive_strength)
-      : source_(source), pictures_(pictures), emissive_strength_(emissive_strength) {}
+  MaterialReader(const aiMaterial& source, PictureMeans& pictures) : source_(source), pictures_(pictures) {}
 
   Material read() {
     Material material;
@@ -137,7 +134,7 @@ class MaterialReader {
   }
 
   void read_emission(Material& material) {
-    const Rgb emission = emissive_strength_ * times_picture(colour(AI_MATKEY_COLOR_EMISSIVE), aiTextureType_EMISSIVE);
+    const Rgb emission = times_picture(colour(AI_MATKEY_COLOR_EMISSIVE), aiTextureType_EMISSIVE);
     material.emission = clamped(emission, 1e30F, "the emission");
   }
 
@@ -150,14 +147,13 @@ class MaterialReader {
 
   const aiMaterial& source_;
   PictureMeans& pictures_;
-  float emissive_strength_;
   std::vector<std::string> remarks_;
 };
 
 /// Assimp makes up a material where a file has none; its colours differ between formats and mean nothing.
-bool is_made_up(const aiMaterial& material, bool is_gltf) {
+bool is_made_up(const aiMaterial& material) {
   const std::string name = material.GetName().C_Str();
-  return name == AI_DEFAULT_MATERIAL_NAME || (name.empty() && !is_gltf);
+  return name == AI_DEFAULT_MATERIAL_NAME || name.empty();
 }
 
 ModelMaterial default_material() {
@@ -177,17 +173,15 @@ std::string joined(const std::vector<std::string>& remarks) {
 
 void read_model_materials(const aiScene& scene, const std::filesystem::path& file, const std::vector<bool>& used, Model& model) {
   PictureMeans pictures(scene, file.parent_path());
-  const bool is_gltf = is_gltf_name(file);
-  const std::vector<float> strengths = is_gltf ? gltf_emissive_strengths(file) : std::vector<float>();
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     const aiMaterial& source = *scene.mMaterials[i];
     model.materials.push_back(default_material());
     if (!used[i]) continue;
-    if (is_made_up(source, is_gltf)) {
+    if (is_made_up(source)) {
       model.warnings.push_back(file.filename().string() + ": no material; diffuse with albedo 0.6 is used");
       continue;
     }
-    MaterialReader reader(source, pictures, i < strengths.size() ? strengths[i] : 1.0F);
+    MaterialReader reader(source, pictures);
     ModelMaterial& made = model.materials.back();
     made.material = reader.read();
     if (made.material.name.empty()) made.material.name = "material-" + std::to_string(i);

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/scene_io/assimp/model.h"
+#include "common/scene_io/model.h"
 
 namespace gibench {
 

@@ -7,7 +7,7 @@
 #include "common/core/find_file.h"
 #include "common/core/names.h"
 #include "common/scene/transform.h"
-#include "common/scene_io/assimp/model_file.h"
+#include "common/scene_io/models/read_model.h"
 #include "common/scene_io/native/read_values.h"
 
 namespace gibench {

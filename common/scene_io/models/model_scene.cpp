@@ -1,10 +1,10 @@
-#include "common/scene_io/assimp/model_scene.h"
+#include "common/scene_io/models/model_scene.h"
 
 #include <optional>
 
 #include "common/core/names.h"
 #include "common/scene/light_kinds.h"
-#include "common/scene_io/assimp/model_file.h"
+#include "common/scene_io/models/read_model.h"
 
 namespace gibench {
 
