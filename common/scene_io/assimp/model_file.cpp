@@ -109,8 +109,8 @@ Model read_with_assimp(const std::filesystem::path& file, const std::string& pla
   std::vector<bool> used(scene->mNumMaterials, false);
   for (const ModelPart& part : model.parts) used[part.material] = with_materials;
   read_model_materials(*scene, file, used, model);
-  read_model_lights(*scene, is_gltf_name(file), model);
-  read_model_cameras(*scene, is_gltf_name(file), model);
+  read_model_lights(*scene, model);
+  read_model_cameras(*scene, model);
   if (with_materials && has_vertex_colours(*scene))
     model.warnings.push_back(file.filename().string() + ": the colours of its vertices are left out");
   convert_units(*scene, file, model);

@@ -24,15 +24,13 @@ Rgb intensity_of(const aiLight& light, std::vector<std::string>& warnings) {
   return colour;
 }
 
-SpotLight spot_of(const aiLight& light, const Vec3& direction, bool is_gltf, std::vector<std::string>& warnings) {
+SpotLight spot_of(const aiLight& light, const Vec3& direction, std::vector<std::string>& warnings) {
   SpotLight spot;
   spot.direction = direction;
   spot.intensity = intensity_of(light, warnings);
-  // glTF gives half-angles, which Assimp hands on; other formats have the whole cone.
-  const float to_half = is_gltf ? 1.0F : 0.5F;
-  const float outer = std::clamp(to_half * light.mAngleOuterCone, 0.0F, pi);
+  const float outer = std::clamp(0.5F * light.mAngleOuterCone, 0.0F, pi);  // Assimp has the whole cone
   spot.cos_outer = std::cos(outer);
-  spot.cos_inner = std::cos(std::clamp(to_half * light.mAngleInnerCone, 0.0F, outer));
+  spot.cos_inner = std::cos(std::clamp(0.5F * light.mAngleInnerCone, 0.0F, outer));
   return spot;
 }
 
@@ -44,7 +42,7 @@ Vec3d unit(const Vec3d& v) {
 
 }  // namespace
 
-void read_model_lights(const aiScene& scene, bool is_gltf, Model& model) {
+void read_model_lights(const aiScene& scene, Model& model) {
   for (unsigned i = 0; i < scene.mNumLights; ++i) {
     const aiLight& source = *scene.mLights[i];
     const Transform transform = transform_of(scene, source.mName);
@@ -54,7 +52,7 @@ void read_model_lights(const aiScene& scene, bool is_gltf, Model& model) {
     if (source.mType == aiLightSource_POINT) {
       model.lights.push_back({PointLight{Vec3(0.0F), intensity_of(source, model.warnings)}, position});
     } else if (source.mType == aiLightSource_SPOT && has_direction) {
-      model.lights.push_back({spot_of(source, Vec3(direction), is_gltf, model.warnings), position});
+      model.lights.push_back({spot_of(source, Vec3(direction), model.warnings), position});
     } else if (source.mType == aiLightSource_DIRECTIONAL && has_direction) {
       model.lights.push_back({DirectionalLight{Vec3(direction), to_rgb(source.mColorDiffuse)}, position});
     } else {
@@ -63,7 +61,7 @@ void read_model_lights(const aiScene& scene, bool is_gltf, Model& model) {
   }
 }
 
-void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model) {
+void read_model_cameras(const aiScene& scene, Model& model) {
   for (unsigned i = 0; i < scene.mNumCameras; ++i) {
     const aiCamera& source = *scene.mCameras[i];
     const Transform transform = transform_of(scene, source.mName);
@@ -71,8 +69,7 @@ void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model) {
     const Vec3d up = unit(transform.linear * to_vec(source.mUp));
     const double aspect = source.mAspect > 0.0F ? static_cast<double>(source.mAspect) : 1.0;
     const double horizontal = source.mHorizontalFOV;
-    // Assimp makes the horizontal angle of a glTF camera as its vertical one times the aspect ratio.
-    const double vertical = is_gltf ? horizontal / aspect : 2.0 * std::atan(std::tan(0.5 * horizontal) / aspect);
+    const double vertical = 2.0 * std::atan(std::tan(0.5 * horizontal) / aspect);
     const double degrees = vertical * 180.0 / pi_double;
     if (!(degrees > 0.0 && degrees < 180.0) || glm::length(glm::cross(view, up)) < 1e-6) {
       model.warnings.push_back("camera " + in_quotes(source.mName.C_Str()) + ": orthographic and flat cameras are left out");
@@ -84,8 +81,7 @@ void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model) {
     made.camera.vertical_fov_degrees = static_cast<float>(degrees);
     made.camera.height = picture_height;
     made.camera.width = static_cast<int>(std::clamp(std::round(picture_height * aspect), 1.0, 16384.0));
-    // Assimp gives glTF cameras the translation of their node a second time, as their position in it.
-    made.position = transform.apply(is_gltf ? Vec3d(0.0) : to_vec(source.mPosition));
+    made.position = transform.apply(to_vec(source.mPosition));
     made.look_at = made.position + view;
     model.cameras.push_back(made);
   }

@@ -7,7 +7,7 @@
 
 namespace gibench {
 
-void read_model_lights(const aiScene& scene, bool is_gltf, Model& model);
-void read_model_cameras(const aiScene& scene, bool is_gltf, Model& model);
+void read_model_lights(const aiScene& scene, Model& model);
+void read_model_cameras(const aiScene& scene, Model& model);
 
 }  // namespace gibench

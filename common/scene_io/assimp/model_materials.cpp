@@ -3,7 +3,6 @@
 #include <assimp/material.h>
 
 #include "common/scene_io/assimp/embedded_pictures.h"
-#include "common/scene_io/assimp/gltf_strength.h"
 #include "common/scene_io/assimp/model_name.h"
 #include "common/scene_io/model_parts/material_remarks.h"
 
@@ -17,8 +16,8 @@ constexpr int illumination_model = 2;
 /// Reads one material; what is not simulated or had to be changed is collected as remarks.
 class MaterialReader {
  public:
-  MaterialReader(const aiMaterial& source, const PictureUse& use, ModelPictures& pictures, float emissive_strength)
-      : source_(source), use_(use), pictures_(pictures), emissive_strength_(emissive_strength) {}
+  MaterialReader(const aiMaterial& source, const PictureUse& use, ModelPictures& pictures)
+      : source_(source), use_(use), pictures_(pictures) {}
 
   Material read() {
     Material material;
@@ -90,7 +89,7 @@ class MaterialReader {
   }
 
   void read_emission(Material& material) {
-    const Rgb emission = emissive_strength_ * times_picture(colour(AI_MATKEY_COLOR_EMISSIVE), aiTextureType_EMISSIVE);
+    const Rgb emission = times_picture(colour(AI_MATKEY_COLOR_EMISSIVE), aiTextureType_EMISSIVE);
     material.emission = remarks_.clamped(emission, 1e30F, "the emission");
   }
 
@@ -102,14 +101,13 @@ class MaterialReader {
   const aiMaterial& source_;
   const PictureUse& use_;
   ModelPictures& pictures_;
-  float emissive_strength_;
   MaterialRemarks remarks_;
 };
 
 /// Assimp makes up a material where a file has none; its colours differ between formats and mean nothing.
-bool is_made_up(const aiMaterial& material, bool is_gltf) {
+bool is_made_up(const aiMaterial& material) {
   const std::string name = material.GetName().C_Str();
-  return name == AI_DEFAULT_MATERIAL_NAME || (name.empty() && !is_gltf);
+  return name == AI_DEFAULT_MATERIAL_NAME || name.empty();
 }
 
 /// What its pictures are taken over; nothing where it has none.
@@ -125,18 +123,16 @@ PictureUse use_of(const aiScene& scene, unsigned material) {
 void read_model_materials(const aiScene& scene, const std::filesystem::path& file, const std::vector<bool>& used, Model& model) {
   ModelPictures pictures = pictures_of(scene, file.parent_path());
   const std::string shown = file.filename().string();
-  const bool is_gltf = is_gltf_name(file);
-  const std::vector<float> strengths = is_gltf ? gltf_emissive_strengths(file) : std::vector<float>();
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     const aiMaterial& source = *scene.mMaterials[i];
     model.materials.push_back(default_material());
     if (!used[i]) continue;
-    if (is_made_up(source, is_gltf)) {
+    if (is_made_up(source)) {
       model.warnings.push_back(shown + ": no material; diffuse with albedo 0.6 is used");
       continue;
     }
     const PictureUse use = use_of(scene, i);
-    MaterialReader reader(source, use, pictures, i < strengths.size() ? strengths[i] : 1.0F);
+    MaterialReader reader(source, use, pictures);
     ModelMaterial& made = model.materials.back();
     made.material = reader.read();
     if (made.material.name.empty()) made.material.name = "material-" + std::to_string(i);

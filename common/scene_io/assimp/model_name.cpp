@@ -13,8 +13,6 @@ std::string extension_of(const std::filesystem::path& file) {
   return extension;
 }
 
-bool is_gltf_name(const std::filesystem::path& file) { return extension_of(file) == ".gltf" || extension_of(file) == ".glb"; }
-
 bool is_model_name(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   return !extension.empty() && extension != ".json" && Assimp::Importer().IsExtensionSupported(extension);

@@ -6,9 +6,8 @@
 
 namespace gibench {
 
-/// Whether Assimp reads files of this name.
+/// Whether files of this name can be read: by Assimp, or as glTF, whose names Assimp knows too.
 bool is_model_name(const std::filesystem::path& file);
-bool is_gltf_name(const std::filesystem::path& file);
 std::string extension_of(const std::filesystem::path& file);  ///< in lower case, with the dot
 
 }  // namespace gibench

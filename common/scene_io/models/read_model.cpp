@@ -3,6 +3,7 @@
 #include "common/core/printable_text.h"
 #include "common/scene_io/assimp/model_file.h"
 #include "common/scene_io/assimp/model_name.h"
+#include "common/scene_io/gltf/gltf_file.h"
 #include "common/scene_io/obj/obj_model.h"
 #include "common/scene_io/ply/ply_model.h"
 #include "common/scene_io/stl/stl_model.h"
@@ -12,6 +13,7 @@ namespace gibench {
 namespace {
 
 Model read(const std::filesystem::path& file, const std::string& place, bool with_materials) {
+  if (is_gltf_name(file)) return read_gltf(file, place, with_materials);
   const std::string extension = extension_of(file);
   if (extension == ".obj") return read_obj(file, place, with_materials);
   if (extension == ".ply") return read_ply(file, place, with_materials);

@@ -1,11 +1,9 @@
 // glTF 2.0: metallic-roughness materials, emitters, punctual lights, cameras, nodes; as text and as GLB.
 #include <cmath>
 #include <cstring>
-#include <iterator>
 
 #include "common/image/image_file.h"
-#include "tests/common/scene_io/scene_text.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/common/scene_io/gltf/gltf_builder.h"
 
 namespace gibench::test {
 namespace {
@@ -51,29 +49,9 @@ json gltf_scene() {
     "buffers": [{"byteLength": 60}]})");
 }
 
-void append_chunk(std::string& file, const char* type, std::string bytes, char padding) {
-  bytes.resize((bytes.size() + 3) / 4 * 4, padding);
-  const auto length = static_cast<std::uint32_t>(bytes.size());
-  file.append(reinterpret_cast<const char*>(&length), sizeof length).append(type, 4).append(bytes);
-}
-
-std::string glb(const json& scene, const std::string& buffer) {
-  std::string chunks;
-  append_chunk(chunks, "JSON", scene.dump(), ' ');
-  append_chunk(chunks, "BIN\0", buffer, '\0');
-  const std::uint32_t header[] = {2, static_cast<std::uint32_t>(chunks.size() + 12)};
-  return "glTF" + std::string(reinterpret_cast<const char*>(header), sizeof header) + chunks;
-}
-
-class GltfTest : public testing::Test {
+class GltfSceneTest : public GltfTest {
  protected:
-  Scene load_gltf(json scene = gltf_scene()) {
-    write_text(folder_ / "square.bin", square_buffer());
-    scene["buffers"][0]["uri"] = "square.bin";
-    write_text(folder_ / "m.gltf", scene.dump());
-    return load_scene(folder_ / "m.gltf");
-  }
-  ScratchFolder folder_;
+  Scene load_gltf() { return load_document({gltf_scene(), square_buffer()}); }
 };
 
 Vec3d in_file(const Scene& scene, const Vec3& local) { return Vec3d(local) + scene.origin; }
@@ -82,7 +60,7 @@ void expect_near(const Vec3d& actual, const Vec3d& expected) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(actual[axis], expected[axis], 1e-6) << "axis " << axis;
 }
 
-TEST_F(GltfTest, MetallicRoughnessIsGgx) {
+TEST_F(GltfSceneTest, MetallicRoughnessIsGgx) {
   const Scene scene = load_gltf();
   ASSERT_EQ(scene.materials.size(), 1U);
   const Material& gold = scene.materials[0];
@@ -97,7 +75,7 @@ TEST_F(GltfTest, MetallicRoughnessIsGgx) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-TEST_F(GltfTest, NodesAreInstancesAndMirroringKeepsFronts) {
+TEST_F(GltfSceneTest, NodesAreInstancesAndMirroringKeepsFronts) {
   const Scene scene = load_gltf();
   ASSERT_EQ(scene.objects.size(), 2U);
   EXPECT_EQ(scene.objects[0].name, "plate/gold");
@@ -110,7 +88,7 @@ TEST_F(GltfTest, NodesAreInstancesAndMirroringKeepsFronts) {
   expect_near(scene.origin, {0.0, 0.5, 1.0});
 }
 
-TEST_F(GltfTest, PunctualLights) {
+TEST_F(GltfSceneTest, PunctualLights) {
   const Scene scene = load_gltf();
   ASSERT_EQ(scene.lights.size(), 3U);
   const auto& bulb = std::get<PointLight>(scene.lights[0]);
@@ -125,7 +103,7 @@ TEST_F(GltfTest, PunctualLights) {
   EXPECT_EQ(sun.irradiance, Rgb(3.0F));
 }
 
-TEST_F(GltfTest, Camera) {
+TEST_F(GltfSceneTest, Camera) {
   const Scene scene = load_gltf();
   ASSERT_EQ(scene.cameras.size(), 1U);
   const Camera& eye = scene.cameras[0];
@@ -137,7 +115,7 @@ TEST_F(GltfTest, Camera) {
   expect_near(Vec3d(eye.look_at - eye.position), {-1, 0, 0});  // -z turned a quarter about y
 }
 
-TEST_F(GltfTest, GlbIsTheSameScene) {
+TEST_F(GltfSceneTest, GlbIsTheSameScene) {
   const Scene text = load_gltf();
   write_text(folder_ / "m.glb", glb(gltf_scene(), square_buffer()));
   const Scene binary = load_scene(folder_ / "m.glb");
@@ -146,10 +124,9 @@ TEST_F(GltfTest, GlbIsTheSameScene) {
   EXPECT_EQ(binary.materials.at(0).emission, Rgb(7.0F, 3.5F, 0.0F));
 }
 
-TEST_F(GltfTest, PictureInsideTheFileIsReplacedByItsMean) {
+TEST_F(GltfSceneTest, PictureInsideTheFileIsReplacedByItsMean) {
   write_png(folder_ / "p.png", {2, 1, {Rgb(1.0F), Rgb(0.0F, 0.5F, 0.0F)}});
-  std::ifstream stream(folder_ / "p.png", std::ios::binary);
-  const std::string png((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::string png = bytes_of(folder_ / "p.png");
   json scene = gltf_scene();
   scene["images"] = {{{"bufferView", 2}, {"mimeType", "image/png"}}};
   scene["textures"] = {{{"source", 0}}};
@@ -163,7 +140,7 @@ TEST_F(GltfTest, PictureInsideTheFileIsReplacedByItsMean) {
   EXPECT_THAT(loaded.warnings, testing::ElementsAre(HasSubstr("replaced by its mean")));
 }
 
-TEST_F(GltfTest, LightsOfAnObjectsFileAreLeftOutWithAWarning) {
+TEST_F(GltfSceneTest, LightsOfAnObjectsFileAreLeftOutWithAWarning) {
   load_gltf();
   json scene = quad_scene();
   scene["objects"].push_back({{"name", "thing"}, {"file", "m.gltf"}});
