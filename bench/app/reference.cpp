@@ -9,6 +9,7 @@
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
+#include "bench/measure/picture_library.h"
 #include "bench/measure/plan_options.h"
 #include "bench/measure/reference_files.h"
 #include "bench/measure/reference_making.h"
@@ -159,6 +160,7 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
   MeasuringOptions measuring = options.measuring;
   measuring.reference_seed = common.seed;
   const ReferenceQuestion question = question_of(scene.scene(), measuring);
+  if (!options.out.empty() && question.camera) PictureLibrary();
   std::optional<OutputFolder> folder;
   if (!options.out.empty())
     folder.emplace(options.out, reference_file, options.force, FileLock::WhenTaken::wait, stop_if_cancelled);

@@ -11,6 +11,7 @@
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
+#include "bench/measure/picture_library.h"
 #include "bench/measure/result_files.h"
 #include "bench/measure/run_bounces.h"
 #include "bench/measure/run_errors.h"
@@ -156,7 +157,9 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   strata_per_side(options.measuring.pixel_samples, "--pixel-samples");
   limits_of(options.plan, options.measuring.bounces);
   const LoadedScene scene = load_world(options.scene, common.threads);
-  chosen_camera(scene.scene(), options.measuring);
+  const std::optional<Camera> camera = chosen_camera(scene.scene(), options.measuring);
+  std::optional<PictureLibrary> pictures;
+  if (!options.out.empty() && camera) pictures.emplace();
   std::vector<std::string> warnings;
   const std::optional<Reference> reference = stored_reference(options, scene.scene(), warnings);
   std::optional<OutputFolder> folder;
@@ -176,7 +179,7 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   outcome.record.warnings.insert(outcome.record.warnings.end(), warnings.begin(), warnings.end());
   for (const std::string& warning : outcome.record.warnings) log.warn(warning);
   stop_if_cancelled();
-  outcome.record.peak_bytes = peak_bytes();  // before the library that writes pictures is loaded
+  outcome.record.peak_bytes = pictures ? pictures->peak_bytes_without() : peak_bytes();
   if (folder) {
     write_result_files(folder->partial(), outcome, exposure);
     stop_if_cancelled();

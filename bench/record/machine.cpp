@@ -25,6 +25,11 @@ std::string value_in(const char* file, const std::string& key) {
   return {};
 }
 
+std::uint64_t bytes_of_process(const std::string& key) {
+  const std::string text = value_in("/proc/self/status", key);
+  return text.empty() ? 0 : std::stoull(text) * 1024;  // "1234 kB"
+}
+
 }  // namespace
 
 std::string version() { return GIBENCH_VERSION; }
@@ -84,9 +89,7 @@ Origin origin_of(const Json& json) {
   return origin;
 }
 
-std::uint64_t peak_bytes() {
-  const std::string text = value_in("/proc/self/status", "VmHWM");
-  return text.empty() ? 0 : std::stoull(text) * 1024;  // "1234 kB"
-}
+std::uint64_t peak_bytes() { return bytes_of_process("VmHWM"); }
+std::uint64_t resident_bytes() { return bytes_of_process("VmRSS"); }
 
 }  // namespace gibench

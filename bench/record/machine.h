@@ -39,5 +39,7 @@ Origin origin_of(const nlohmann::ordered_json& json);
 
 /// Largest resident memory of this process so far, bytes; 0 where the system does not report it.
 std::uint64_t peak_bytes();
+/// Resident memory of this process now, likewise.
+std::uint64_t resident_bytes();
 
 }  // namespace gibench

@@ -6,7 +6,7 @@
 
 #include "common/ray/ray_stream.h"
 #include "common/ray/world.h"
-#include "methods/antiradiance/elements.h"
+#include "methods/antiradiance/cell_point.h"
 
 namespace gibench::antiradiance {
 

@@ -9,6 +9,7 @@
 #include "common/core/random.h"
 #include "common/geometry/sampling_mesh.h"
 #include "common/method/task.h"
+#include "methods/antiradiance/cell_point.h"
 #include "methods/antiradiance/form_factor.h"
 
 namespace gibench::antiradiance {
@@ -22,18 +23,6 @@ struct CellPart {
   Vec3 normal;                 ///< unit, of the face on the element's side
   std::uint32_t triangle = 0;  ///< of the scene, in whose plane the part lies
 };
-
-/// A point of a cell, for rays: of all points of an element equal shares of its area.
-struct CellPoint {
-  Vec3 origin;  ///< metres, off the surface on the element's side
-  Vec3 behind;  ///< the same off its other side
-  Vec3 normal;  ///< of the face, on the element's side
-  std::uint32_t triangle = 0;
-  bool exposed = true;  ///< seen by some light: see Elements
-};
-
-/// A point of a cell as a sample; a part of a quad names the first of its two triangles.
-SurfaceSample sample_of(const World& world, const CellPoint& point);
 
 /// What rays find out about cells.
 struct CellTests {

@@ -78,7 +78,7 @@ class Trial {
     for (std::size_t light = 0; light < lights_.size(); ++light) {
       RgbDouble squares, changes;
       for (std::size_t row = 0; row < areas_.size(); ++row) {
-        const RgbDouble first(Rgb(whole_[0][light][row])), second(Rgb(whole_[1][light][row]));
+        const RgbDouble first{Rgb(whole_[0][light][row])}, second{Rgb(whole_[1][light][row])};
         squares += areas_[row] * (first * second);
         changes += areas_[row] *
                    ((RgbDouble(Rgb(truncated[0][light][row])) - first) * (RgbDouble(Rgb(truncated[1][light][row])) - second));
