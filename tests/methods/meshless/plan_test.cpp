@@ -62,7 +62,8 @@ TEST(MeshlessPlan, AGreySceneKeepsOneChannelAndTracesTheSameRays) {
   EXPECT_EQ(coloured.counters["channels"], 3U);
   EXPECT_LT(grey.bytes, coloured.bytes);
   EXPECT_LE(grey.counters["closest_hit_rays"], coloured.counters["closest_hit_rays"]);
-  // Lamps are drawn by power, which the other blue changes by a rounding step: a sample in a thousand may fall on another triangle.
+  // Lamps are drawn by power, which the other blue changes by a rounding step: a sample in a thousand may fall on another
+  // triangle.
   for (std::size_t i = 0; i < grey.indirect.size(); ++i)
     EXPECT_NEAR(grey.indirect[i].r, coloured.indirect[i].r, 1e-3F * grey.indirect[i].r);
 }
