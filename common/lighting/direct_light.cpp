@@ -243,6 +243,19 @@ bool DirectLight::dark() const { return impl_->lights.empty(); }
 
 const DirectLightOptions& DirectLight::options() const { return impl_->options; }
 
+void DirectLight::irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples,
+                             RayStream& rays, std::span<Rgb> out) const {
+  GIBENCH_CHECK(keys.size() == points.size() && out.size() == points.size(), "one key and one value for each point");
+  impl_->irradiance(points, keys, samples, rays, out);
+}
+
+void DirectLight::radiance(std::span<const SurfaceSample> points, std::span<const Vec3> toward_viewer,
+                           std::span<const std::uint64_t> keys, int samples, RayStream& rays, std::span<Rgb> out) const {
+  GIBENCH_CHECK(toward_viewer.size() == points.size() && keys.size() == points.size() && out.size() == points.size(),
+                "one direction, one key and one value for each point");
+  impl_->radiance(points, toward_viewer, keys, samples, rays, out);
+}
+
 Rgb DirectLight::irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const {
   Rgb out;
   impl_->irradiance({&sample, 1}, {&key, 1}, samples, rays, {&out, 1});

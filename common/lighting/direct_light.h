@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "common/core/rgb.h"
 #include "common/ray/ray_stream.h"
@@ -33,14 +34,21 @@ class DirectLight {
   const DirectLightOptions& options() const;
 
   /// Irradiance on the sample's side straight from all lights, W/m²: point, spot and directional lights exactly, one
-  /// shadow ray each (up to 64 of them, else sampled); the rest by an unbiased estimate of `samples` light samples and as
-  /// many hemisphere samples, combined by multiple importance sampling. `key` fixes the random numbers: the same key
-  /// gives the same bits. Zero on an unlit side.
+  /// shadow ray each (up to 64 of them, else sampled); the rest by an unbiased estimate of `samples` samples of each group of
+  /// lights and as many hemisphere samples, combined by multiple importance sampling. `key` fixes the random numbers: the same
+  /// key gives the same bits. Zero on an unlit side.
   Rgb irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const;
 
   /// Radiance leaving the sample towards the unit direction `toward_viewer`: emission plus straight light
   /// reflected once, W/(m² sr). The same estimator with the surface's BRDF.
   Rgb radiance(const SurfaceSample& sample, const Vec3& toward_viewer, std::uint64_t key, int samples, RayStream& rays) const;
+
+  /// Both at many points, each with a key: the values of the single calls up to the rounding of hits, the rays of neighbouring
+  /// points in the same packets. The way to go where a point has few samples. All spans are of one length.
+  void irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples, RayStream& rays,
+                  std::span<Rgb> out) const;
+  void radiance(std::span<const SurfaceSample> points, std::span<const Vec3> toward_viewer, std::span<const std::uint64_t> keys,
+                int samples, RayStream& rays, std::span<Rgb> out) const;
 
  private:
   struct Impl;

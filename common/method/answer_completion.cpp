@@ -1,6 +1,7 @@
 #include "common/method/answer_completion.h"
 
 #include <algorithm>
+#include <array>
 
 #include "common/core/random.h"
 
@@ -38,12 +39,14 @@ void shade_direct(const World& world, const DirectLight& direct_light, const Sha
   const int samples = static_cast<int>(std::clamp(wanted, least_direct_samples, most_direct_samples));
   task.parallel_chunks(direct.size(), shade_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const std::uint64_t key = mix_keys(task.seed(), direct_stage, i);
-      direct[i] = request.quantity == Quantity::radiance
-                      ? direct_light.radiance(request.samples[i], request.toward_viewer[i], key, samples, rays)
-                      : direct_light.irradiance(request.samples[i], key, samples, rays);
-    }
+    const std::size_t count = range.end - range.begin;
+    std::array<std::uint64_t, shade_chunk> keys;
+    for (std::size_t i = 0; i < count; ++i) keys[i] = mix_keys(task.seed(), direct_stage, range.begin + i);
+    const auto points = request.samples.subspan(range.begin, count);
+    const auto out = direct.subspan(range.begin, count);
+    if (request.quantity == Quantity::radiance)
+      direct_light.radiance(points, request.toward_viewer.subspan(range.begin, count), {keys.data(), count}, samples, rays, out);
+    else direct_light.irradiance(points, {keys.data(), count}, samples, rays, out);
   });
   if (request.quantity == Quantity::radiosity) derive_from_irradiance(world, direct_light, request, {direct, {}, {}, {}, {}});
 }

@@ -175,19 +175,26 @@ class Solver {
   void sample_direct(std::span<const std::uint32_t> points, std::span<Estimate> out) {
     task_.parallel_chunks(points.size(), direct_chunk, [&](const ChunkRange& range) {
       RayStream rays = task_.rays(world_);
-      for (std::size_t i = range.begin; i < range.end; ++i) out[i] = direct_estimate(points[i], rays);
+      direct_estimates(points.subspan(range.begin, range.end - range.begin), rays, out.subspan(range.begin));
     });
     task_.count("direct_samples", points.size());
   }
 
   /// Two independent halves give the value and its deviation.
-  Estimate direct_estimate(std::uint32_t point, RayStream& rays) const {
-    const int half = std::max(1, point_samples_ / 2);
-    const std::uint64_t key = mix_keys(task_.seed(), direct_stage, point);
-    const Rgb first = light_.irradiance(sample(point), mix_keys(key, 0), half, rays);
-    const Rgb second = light_.irradiance(sample(point), mix_keys(key, 1), half, rays);
-    const Rgb apart = first - second;
-    return {0.5F * (first + second), 0.5F * std::max({std::fabs(apart.r), std::fabs(apart.g), std::fabs(apart.b)})};
+  void direct_estimates(std::span<const std::uint32_t> points, RayStream& rays, std::span<Estimate> out) const {
+    std::vector<SurfaceSample> samples;
+    std::vector<std::uint64_t> keys;
+    for (const std::uint32_t point : points)
+      for (const std::uint64_t half : {0U, 1U}) {
+        samples.push_back(sample(point));
+        keys.push_back(mix_keys(mix_keys(task_.seed(), direct_stage, point), half));
+      }
+    std::vector<Rgb> light(samples.size());
+    light_.irradiance(samples, keys, std::max(1, point_samples_ / 2), rays, light);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Rgb &first = light[2 * i], &second = light[2 * i + 1], apart = first - second;
+      out[i] = {0.5F * (first + second), 0.5F * std::max({std::fabs(apart.r), std::fabs(apart.g), std::fabs(apart.b)})};
+    }
   }
 
   const World& world_;

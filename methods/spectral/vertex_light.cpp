@@ -23,23 +23,32 @@ class TriangleLight {
                 std::uint64_t seed)
       : world_(world), transfer_(transfer), light_(light), settings_(settings), seed_(seed) {}
 
-  Share share_of(std::uint32_t triangle, RayStream& rays) const {
-    Share share;
-    const SobolSequence points(mix_keys(seed_, point_stage, triangle));
-    const float area = area_of(triangle) / static_cast<float>(settings_.direct_points);
-    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings_.direct_points); ++i) {
-      const Vec2 at = uniform_triangle(points.pair(i, 0).unit());
-      const MeshPoint point{triangle, {1.0F - at.x - at.y, at.x, at.y}};
-      const SurfaceSample sample = sample_at(point);
-      const Rgb arriving =
-          light_.irradiance(sample, mix_keys(mix_keys(seed_, light_stage), triangle, i), settings_.direct_samples, rays);
-      const MeshPoint seen = transfer_.interpolation.seen(world_, *transfer_.mesh, point, sample.position, rays);
+  /// Of triangles [begin, end).
+  void find_shares(std::uint32_t begin, std::uint32_t end, RayStream& rays, std::vector<Share>& shares) const {
+    std::vector<MeshPoint> points;
+    std::vector<SurfaceSample> samples;
+    std::vector<std::uint64_t> keys;
+    for (std::uint32_t triangle = begin; triangle < end; ++triangle) {
+      const SobolSequence places(mix_keys(seed_, point_stage, triangle));
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings_.direct_points); ++i) {
+        const Vec2 at = uniform_triangle(places.pair(i, 0).unit());
+        points.push_back({triangle, {1.0F - at.x - at.y, at.x, at.y}});
+        samples.push_back(sample_at(points.back()));
+        keys.push_back(mix_keys(mix_keys(seed_, light_stage), triangle, i));
+      }
+    }
+    std::vector<Rgb> arriving(samples.size());
+    light_.irradiance(samples, keys, settings_.direct_samples, rays, arriving);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::uint32_t triangle = points[i].triangle;
+      const float area = area_of(triangle) / static_cast<float>(settings_.direct_points);
+      const MeshPoint seen = transfer_.interpolation.seen(world_, *transfer_.mesh, points[i], samples[i].position, rays);
+      Share& share = shares[triangle];
       for (std::size_t c = 0; c < 3; ++c) {
-        share.light[c] += arriving * (seen.weights[c] * area);
+        share.light[c] += arriving[i] * (seen.weights[c] * area);
         share.weight[c] += seen.weights[c] * area;
       }
     }
-    return share;
   }
 
  private:
@@ -75,7 +84,7 @@ std::vector<Rgb4> direct_irradiance(const World& world, const Transfer& transfer
   const TriangleLight source(world, transfer, light, settings, task.seed());
   task.parallel_chunks(shares.size(), triangle_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
-    for (std::size_t t = range.begin; t < range.end; ++t) shares[t] = source.share_of(static_cast<std::uint32_t>(t), rays);
+    source.find_shares(static_cast<std::uint32_t>(range.begin), static_cast<std::uint32_t>(range.end), rays, shares);
   });
   std::vector<Rgb4> sum(transfer.basis.slots());
   std::vector<float> weight(sum.size(), 0.0F);

@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "common/core/random.h"
+#include "common/geometry/surface_sampling.h"
 #include "common/lighting/light_choice.h"
 #include "common/lighting/punctual_lights.h"
 #include "common/lighting/scene_lights.h"
 #include "common/scene/made_scenes.h"
+#include "tests/support/counting_rays.h"
 
 namespace gibench {
 namespace {
@@ -130,6 +132,55 @@ TEST(DirectLight, RadianceIsEmissionPlusTheAlbedoTimesIrradianceOverPi) {
   const Rgb radiance = lit.light.radiance(lit.centre(), glm::normalize(Vec3(0.3F, 0.1F, 1.0F)), 9, 64, rays);
   EXPECT_NEAR(radiance.r, 0.5F / pi * irradiance.r, 1e-5F);
   EXPECT_TRUE(is_black(lit.light.radiance(lit.centre(), {0.0F, 0.6F, -0.8F}, 9, 64, rays)));
+}
+
+/// A plate, a block and a lamp, under a sky, a sun and a point light.
+Scene every_kind_of_light() {
+  Plate plate;
+  plate.lamp(1.0F, 0.3F, 2.0F).builder.block("block", plate.white, {0.1F, 0.1F, 0.0F}, {0.3F, 0.3F, 0.3F});
+  plate.builder.light(EnvironmentLight());
+  plate.builder.light(DirectionalLight{glm::normalize(Vec3(1.0F, 0.5F, -1.0F)), Rgb(3.0F)});
+  plate.builder.light(PointLight{{-0.4F, 0.2F, 0.3F}, Rgb(0.2F)});
+  return plate.builder.build("every kind of light");
+}
+
+TEST(DirectLight, ManyPointsAtOnceGetWhatEachGetsAlone) {
+  Lit lit(every_kind_of_light());
+  RayStream rays(lit.world.rays(), lit.counts);
+  std::vector<SurfaceSample> points = area_uniform_samples(lit.world, 200, 3);
+  points[20] = lit.world.sample_at(0, {0.0F, 0.5F}, {0.0F, 0.0F, -1.0F});
+  std::vector<std::uint64_t> keys;
+  std::vector<Vec3> viewers;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    keys.push_back(mix_bits(i + 1));
+    viewers.push_back(i % 7 == 0 ? -points[i].normal : points[i].normal);
+  }
+  std::vector<Rgb> irradiance(points.size()), radiance(points.size());
+  for (const int samples : {1, 3, 100}) {
+    lit.light.irradiance(points, keys, samples, rays, irradiance);
+    lit.light.radiance(points, viewers, keys, samples, rays, radiance);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Rgb alone = lit.light.irradiance(points[i], keys[i], samples, rays);
+      EXPECT_NEAR(irradiance[i].g, alone.g, 1e-5F * alone.g);
+      const Rgb seen = lit.light.radiance(points[i], viewers[i], keys[i], samples, rays);
+      EXPECT_NEAR(radiance[i].g, seen.g, 1e-5F * seen.g);
+    }
+  }
+}
+
+TEST(DirectLight, ManyPointsShareTheirPackets) {
+  const test::CountedWorld counted(every_kind_of_light());
+  const DirectLight light(counted.world, Lighting::of(counted.world.scene()));
+  RayCounts counts;
+  const std::vector<SurfaceSample> points = area_uniform_samples(counted.world, 256, 3);
+  const std::vector<std::uint64_t> keys(points.size(), 1);
+  std::vector<Rgb> irradiance(points.size());
+  const std::uint64_t calls_before = counted.calls;
+  {
+    RayStream rays(counted.world.rays(), counts);
+    light.irradiance(points, keys, 1, rays, irradiance);
+  }
+  EXPECT_GT((counts.closest_hit + counts.occlusion) / (counted.calls - calls_before), 32U) << "four full packets of eight";
 }
 
 TEST(DirectLight, TheSameKeyGivesTheSameBits) {
