@@ -34,7 +34,7 @@ class AmbientMethod : public TransportMethod {
     if (is(Defect::claims_unseen_lobes)) can.effects.insert(Effect::glossy_final_bounce);
     // As its own direct light the plan never spares it a call.
     can.direct = is(Defect::works_for_nothing) || is(Defect::answers_parts_otherwise);
-    can.variance = is(Defect::claims_negative_variance) || is(Defect::knows_variance_by_halves);
+    can.variance = is(Defect::claims_negative_variance) || is(Defect::knows_variance_by_halves) || is(Defect::is_a_little_off);
     can.relights = true;
     return can;
   }
@@ -139,6 +139,7 @@ class AmbientMethod : public TransportMethod {
     Rgb light = ambient_;
     if (request.quantity == Quantity::radiance) light *= material.diffuse / pi;
     if (is(Defect::knows_the_vertical)) light *= 1.0F + 0.1F * sample.normal.y;
+    if (is(Defect::is_a_little_off)) light *= 1.0F + 0.01F * sample.normal.y;
     if (is(Defect::goes_below_zero) && i == 0) light *= -1.0F;
     if (is(Defect::writes_not_a_number)) light *= material.diffuse.r / material.diffuse.r;
     return light;

@@ -16,6 +16,7 @@ enum class Defect {
   piles_up_relit_light,      ///< light() adds to what was there
   knows_the_metre,           ///< the answer grows with the room
   knows_the_vertical,        ///< a wall is brighter than a floor
+  is_a_little_off,           ///< by less than a placement could be, and claims to know its errors
   reflects_off_black,        ///< no albedo is below a hundredth
   ignores_the_bound,         ///< of bounces
   dims_with_bounces,         ///< more bounces, less light

@@ -60,9 +60,9 @@ void require_multiple(const std::vector<Rgb>& base, const std::vector<Rgb>& test
 }
 
 void require_same_means(const std::vector<Rgb>& base, const std::vector<Rgb>& test, const std::vector<SurfaceSample>& samples,
-                        const std::string& what) {
+                        double slack, const std::string& what) {
   each_mean(base, test, samples, [&](const std::string& group, int channel, const Difference& d, double scene_mean) {
-    if (!(std::fabs(d.mean) <= standard_errors * d.standard_error + placement_share * std::fabs(scene_mean)))
+    if (!(std::fabs(d.mean) <= standard_errors * d.standard_error + slack * std::fabs(scene_mean)))
       throw Violation(fmt::format("{}, mean over {}, channel {}: differs by {} ± {} where the scene's mean is {}", what, group,
                                   channel, d.mean, d.standard_error, scene_mean));
   });
@@ -77,6 +77,15 @@ void require_same_bits(const std::vector<Rgb>& base, const std::vector<Rgb>& tes
 
 }  // namespace
 
+Slack slack_of(const MethodEntry& entry) {
+  const Capabilities can = make_session(entry, Parameters(entry.schema, entry.quick))->capabilities();
+  Slack slack;
+  if (can.variance) return slack;
+  slack.indirect = placement_share;
+  if (can.direct) slack.direct = placement_share;
+  return slack;
+}
+
 RgbDouble mean_of(const std::vector<Rgb>& values) {
   RgbDouble sum;
   for (const Rgb& value : values) sum += RgbDouble(value);
@@ -88,16 +97,16 @@ void require_multiple(const Answer& base, const Answer& test, double factor, con
   require_multiple(base.indirect, test.indirect, factor, what + ", indirect light");
 }
 
-void require_same_means(const Answer& base, const Answer& test, const std::vector<SurfaceSample>& samples,
+void require_same_means(const Answer& base, const Answer& test, const std::vector<SurfaceSample>& samples, const Slack& slack,
                         const std::string& what) {
-  require_same_means(base.direct, test.direct, samples, what + ", direct light");
-  require_same_means(base.indirect, test.indirect, samples, what + ", indirect light");
+  require_same_means(base.direct, test.direct, samples, slack.direct, what + ", direct light");
+  require_same_means(base.indirect, test.indirect, samples, slack.indirect, what + ", indirect light");
 }
 
 void require_no_less(const std::vector<Rgb>& less, const std::vector<Rgb>& more, const std::vector<SurfaceSample>& samples,
-                     const std::string& what) {
+                     double slack, const std::string& what) {
   each_mean(less, more, samples, [&](const std::string& group, int channel, const Difference& d, double scene_mean) {
-    if (!(d.mean >= -standard_errors * d.standard_error - placement_share * std::fabs(scene_mean)))
+    if (!(d.mean >= -standard_errors * d.standard_error - slack * std::fabs(scene_mean)))
       throw Violation(fmt::format("{}, mean over {}, channel {}: falls by {} ± {} where the scene's mean is {}", what, group,
                                   channel, -d.mean, d.standard_error, scene_mean));
   });

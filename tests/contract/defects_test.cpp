@@ -41,6 +41,7 @@ constexpr Case cases[] = {
     {"PilesUpRelitLight", Defect::piles_up_relit_light, "RelightingEqualsAFreshRun", "a fresh run against a relit one"},
     {"KnowsTheMetre", Defect::knows_the_metre, "ScaleInvariance", "in a room of a millimetre"},
     {"KnowsTheVertical", Defect::knows_the_vertical, "RotationInvariance", "in a room that was turned"},
+    {"IsOffByLessThanAPlacement", Defect::is_a_little_off, "RotationInvariance", "in a room that was turned"},
     {"ReflectsOffBlack", Defect::reflects_off_black, "BlackWallsGiveNoIndirectLight", "between black walls"},
     {"IgnoresTheBound", Defect::ignores_the_bound, "BounceBounds", "at most 0 bounces"},
     {"DimsWithBounces", Defect::dims_with_bounces, "BounceBounds", "falls by"},

@@ -81,7 +81,7 @@ void verify_edit(const MethodEntry& entry, Edited edited) {
   run.prepare().light().edit(edited.edit, after);
   before.reset();
   const Answer answer = run.shade(quantity, samples);
-  require_same_means(fresh_answer(entry, after, quantity, samples), answer, samples,
+  require_same_means(fresh_answer(entry, after, quantity, samples), answer, samples, slack_of(entry),
                      "a fresh run against an edited one, an edit " + edited.what);
   require_same_bits(answer, run.light().shade(quantity, samples),
                     "an edited run and the same once lit again, an edit " + edited.what);

@@ -28,7 +28,8 @@ class StillBox {
     const World moved(made::transformed(plain_box(), scale, axis, degrees));
     const std::vector<Answer> answers = fresh_answers(entry_, moved, quantities_, carried_over(moved, samples_));
     for (std::size_t q = 0; q < quantities_.size(); ++q)
-      require_same_means(answers_[q], answers[q], samples_, fmt::format("{} {}", to_string(quantities_[q]), what));
+      require_same_means(answers_[q], answers[q], samples_, slack_of(entry_),
+                         fmt::format("{} {}", to_string(quantities_[q]), what));
   }
 
  private:
@@ -120,6 +121,7 @@ void verify_bounce_bounds(const MethodEntry& entry) {
   const World world(plain_box());
   const auto samples = samples_of(world);
   const Quantity quantity = plainest_quantity(entry);
+  const Slack slack = slack_of(entry);
   const bool indirect = make_session(entry, Parameters(entry.schema, entry.quick))->capabilities().indirect;
   std::optional<Answer> before;
   for (const std::optional<int> bounces : {std::optional(0), std::optional(1), std::optional(3), std::optional<int>()}) {
@@ -133,8 +135,8 @@ void verify_bounce_bounds(const MethodEntry& entry) {
     if (bounces == 1 && indirect && !(luminance(mean_of(now.indirect)) > 0.0))
       throw Violation("indirect light of a bright box is black with one bounce allowed");
     if (before) {
-      require_no_less(before->indirect, now.indirect, samples, "indirect light of " + what);
-      require_same_means({before->direct, before->direct}, {now.direct, now.direct}, samples, "direct light of " + what);
+      require_no_less(before->indirect, now.indirect, samples, slack.indirect, "indirect light of " + what);
+      require_same_means({before->direct, before->direct}, {now.direct, now.direct}, samples, slack, "direct light of " + what);
     }
     before = now;
   }
