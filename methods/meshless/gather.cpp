@@ -53,7 +53,7 @@ void BasisSender::irradiance(std::span<const SurfaceSample> hits, const Vec3& re
 }
 
 void DirectSender::irradiance(std::span<const SurfaceSample> hits, const Vec3&, std::uint64_t key, RayStream& rays,
-                              std::span<Rgb> values, std::uint64_t&) const {
+                              std::span<Rgb> values, SenderCounts&) const {
   std::vector<std::uint64_t> keys(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) keys[i] = mix_keys(key, direct_stage, i);
   light_.irradiance(hits, keys, samples_, rays, values);
