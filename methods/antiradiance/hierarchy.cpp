@@ -76,8 +76,8 @@ Hierarchy::Hierarchy(const Elements& elements, std::span<const std::uint32_t> sp
   for (std::uint32_t element = 0; element < elements.size(); ++element)
     if (elements.disc(element).area > 0.0F) order_.push_back(element);
   const auto key = [&](std::uint32_t element) {
-    return TreeKey(spaces.empty() ? 0U : spaces[element], kind_of(elements, element),
-                   sheets_apart ? elements.sheet(element) : 0U);
+    return TreeKey{spaces.empty() ? 0U : spaces[element], kind_of(elements, element),
+                   sheets_apart ? elements.sheet(element) : 0U};
   };
   const auto before = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
   if (!std::is_sorted(order_.begin(), order_.end(), before)) std::stable_sort(order_.begin(), order_.end(), before);
@@ -108,8 +108,8 @@ std::vector<std::vector<std::uint32_t>> Hierarchy::split_all(const Elements& ele
     while (end < order_.size() && key(order_[end]) == shared) ++end;
     level.push_back({nodes, begin, end});
     roots_.push_back(nodes);
-    root_spaces_.push_back(std::get<0>(shared));
-    root_kinds_.push_back(std::get<Kind>(shared));
+    root_spaces_.push_back(shared.space);
+    root_kinds_.push_back(shared.kind);
     nodes += 2 * (end - begin) - 1;
     begin = end;
   }

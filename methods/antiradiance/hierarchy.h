@@ -1,10 +1,10 @@
 /// The hierarchy of discs: binary trees over the elements of all objects, built in O(n log n) on all threads.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "common/core/rgb.h"
@@ -65,7 +65,12 @@ class Hierarchy {
   enum class Kind : std::uint8_t { one_sided, front, back };
   static Kind kind_of(const Elements& elements, std::uint32_t element);
   /// What the elements of one tree have in common.
-  using TreeKey = std::tuple<std::uint32_t, Kind, std::uint32_t>;
+  struct TreeKey {
+    std::uint32_t space;
+    Kind kind;
+    std::uint32_t sheet;
+    auto operator<=>(const TreeKey&) const = default;
+  };
   struct Range {
     std::uint32_t node, begin, end;
   };

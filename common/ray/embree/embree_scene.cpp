@@ -59,10 +59,6 @@ void EmbreeScene::build(RTCGeometry geometry, int threads) {
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
   }
-#ifdef GIBENCH_STD_THREADS
-  // The thread sanitizer does not see how Embree's own threads wait for one another, and would take their reads for races.
-  threads = 1;
-#endif
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] { rtcJoinCommitScene(scene_); });
   if (!error_.empty()) throw WorkError(error_);

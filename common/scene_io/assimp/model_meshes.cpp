@@ -1,26 +1,14 @@
 #include "common/scene_io/assimp/model_meshes.h"
 
-#include <array>
-#include <cstring>
-#include <unordered_map>
-
 #include "common/core/error.h"
-#include "common/core/hash.h"
 #include "common/core/names.h"
 #include "common/scene/object_faces.h"
 #include "common/scene_io/assimp/assimp_nodes.h"
+#include "common/scene_io/model_parts/equal_positions.h"
 
 namespace gibench {
 
 namespace {
-
-struct Bits {
-  std::array<float, 3> position;
-  bool operator==(const Bits& other) const { return std::memcmp(&position, &other.position, sizeof position) == 0; }
-};
-struct HashOfBits {
-  std::size_t operator()(const Bits& bits) const { return hash_bytes(&bits.position, sizeof bits.position); }
-};
 
 std::size_t corner_count(const aiMesh& mesh) {
   std::size_t corners = 0;
@@ -31,19 +19,21 @@ std::size_t corner_count(const aiMesh& mesh) {
 /// The mesh's vertices, and for each of Assimp's the index of the one it became: some
 /// formats come with one vertex a corner and are joined by equal positions.
 std::vector<std::uint32_t> read_vertices(const aiMesh& mesh, std::vector<Vec3d>& vertices) {
-  std::vector<std::uint32_t> index_of(mesh.mNumVertices);
-  const bool is_indexed = mesh.mNumVertices != corner_count(mesh);
-  std::unordered_map<Bits, std::uint32_t, HashOfBits> known;
-  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    const aiVector3D& v = mesh.mVertices[i];
-    index_of[i] = static_cast<std::uint32_t>(vertices.size());
-    if (!is_indexed) {
-      const Bits bits{{v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}};  // -0 becomes 0
-      const auto [place, is_new] = known.try_emplace(bits, index_of[i]);
-      index_of[i] = place->second;
-      if (!is_new) continue;
-    }
-    vertices.push_back(to_vec(v));
+  std::vector<Vec3d> positions;
+  positions.reserve(mesh.mNumVertices);
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i) positions.push_back(to_vec(mesh.mVertices[i]));
+  const auto before = static_cast<std::uint32_t>(vertices.size());
+  std::vector<std::uint32_t> index_of(positions.size());
+  if (mesh.mNumVertices != corner_count(mesh)) {
+    for (std::uint32_t i = 0; i < index_of.size(); ++i) index_of[i] = before + i;
+    vertices.insert(vertices.end(), positions.begin(), positions.end());
+    return index_of;
+  }
+  const std::vector<std::uint32_t> first = first_of_equal(positions);
+  for (std::uint32_t i = 0; i < index_of.size(); ++i) {
+    const bool is_new = first[i] == i;
+    index_of[i] = is_new ? static_cast<std::uint32_t>(vertices.size()) : index_of[first[i]];
+    if (is_new) vertices.push_back(positions[i]);
   }
   return index_of;
 }
