@@ -30,11 +30,16 @@ const std::vector<MethodRule>& rules() {
     pathtracer.method = "pathtracer";
     pathtracer.asks_sensors = true;
     MethodRule meshless = finite_element_rule("meshless", 0.02);
-    // At default settings one of P24's values (ceiling centre, one bounce) is 2.3% off: the noise of a coarsest gather.
-    meshless.short_of = {"P24"};
+    // Over nine seeds these miss by up to 2.7, 2.2, 2.5 and 2.4% of their scale.
+    const std::string gather_noise = "noise of single gathers at default settings";
+    meshless.misses = {{"P24.q2", 0.04, gather_noise},
+                       {"P24.q14", 0.033, gather_noise},
+                       {"P24.q20", 0.038, gather_noise},
+                       {"P36.q20", 0.036, gather_noise}};
     MethodRule spectral = finite_element_rule("spectral", 0.02);
-    // At default settings two of P28's points are 3.5% low, by the noise of 1024 rays; with rays=2048 the case holds.
-    spectral.short_of = {"P28"};
+    // Over nine seeds these miss by up to 3.5, 3.6 and 3.8%.
+    const std::string ray_noise = "noise of the 1024 rays of a vertex";
+    spectral.misses = {{"P28.q8", 0.053, ray_noise}, {"P28.q9", 0.054, ray_noise}, {"P30.q2", 0.058, ray_noise}};
     const MethodRule antiradiance = finite_element_rule("antiradiance", 0.05);
     MethodRule accessibility = finite_element_rule("antiradiance", 0.03);
     accessibility.technique = "accessibility";
@@ -99,6 +104,11 @@ double clearance_of(const Scene& scene, const Question& question) {
   for (const Edge& edge : open_edges(scene, own))
     nearest = std::min(nearest, distance_to_segment(point, corner(edge[0]), corner(edge[1])));
   return nearest;
+}
+
+double MethodRule::tolerance_of(const std::string& question) const {
+  const auto named = std::ranges::find(misses, question, &NamedMiss::question);
+  return named == misses.end() ? tolerance : named->tolerance;
 }
 
 std::vector<MethodRule> all_rules() {

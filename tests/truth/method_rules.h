@@ -13,6 +13,14 @@
 
 namespace gibench::truth {
 
+/// A question whose answer at the rule's settings is known to miss the rule's tolerance, from the noise of one seed to the next
+/// say, and the tolerance that it must keep: the largest miss that was measured over several seeds, and half as much again.
+struct NamedMiss {
+  std::string question;
+  double tolerance = 0.0;
+  std::string cause;
+};
+
 /// How near a method has to come, and what it is not asked. What a method says itself (its capabilities, its
 /// refusals) needs no line here.
 struct MethodRule {
@@ -22,7 +30,7 @@ struct MethodRule {
   /// Share of the true value (or of a tenth of the case's largest one, where that is more). 0: the method knows its own
   /// standard errors, and is held to four of them.
   double tolerance = 0.0;
-  std::vector<std::string> short_of;  ///< cases that the method is known not to meet; reported and skipped
+  std::vector<NamedMiss> misses;  ///< questions that the method answers less well, each held to a bound of its own
   std::vector<std::pair<std::string, std::string>> settings;
   bool asks_sensors = false;  ///< can be asked in empty space
   /// Questions nearer to another surface or to an open edge than this share of the scene's diagonal are left out:
@@ -30,6 +38,8 @@ struct MethodRule {
   double clearance = 0.0;
   std::vector<std::pair<std::string, std::string>> not_cases;  ///< id of a case or of a question, and why it is left out
 
+  /// The named miss's, or the rule's own.
+  double tolerance_of(const std::string& question) const;
   std::string name() const { return technique.empty() ? method : method + "_" + technique; }
   friend void PrintTo(const MethodRule& rule, std::ostream* out) { *out << rule.name(); }  ///< for GoogleTest
 };

@@ -13,6 +13,7 @@ namespace gibench {
 
 /// The meaning of a picture's alpha channel.
 struct AlphaUse {
+  /// As in alphaMode.
   enum class Mode { ignored, weighs, cuts };
   Mode mode = Mode::ignored;
   double threshold = 0.5;  ///< cuts: what is below counts for nothing
