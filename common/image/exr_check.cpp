@@ -72,9 +72,13 @@ std::int64_t rows_of_chunk(std::uint32_t compression) {
   return rows[std::min<std::size_t>(compression, rows.size() - 1)];
 }
 
-/// Most bytes of samples that a byte of the file stands for: deflate makes 1032 of one at best, and the two kinds of DWA keep
-/// one of the 64 coefficients of a flat block.
-std::int64_t most_bytes_for_one(std::uint32_t compression) { return compression >= 8 ? 64 * 1032 : 1032; }
+/// Most bytes of samples that a byte of the file stands for: deflate makes 1032 of one at best, PXR24 keeps three of a float's
+/// four bytes, and the two kinds of DWA keep one of the 64 coefficients of a flat block.
+std::int64_t most_bytes_for_one(std::uint32_t compression) {
+  constexpr std::uint32_t pxr24 = 5, first_dwa = 8;
+  if (compression >= first_dwa) return 64 * 1032;
+  return compression == pxr24 ? 1032 * 4 / 3 : 1032;
+}
 
 std::int64_t divided_up(std::int64_t number, std::int64_t by) { return (number + by - 1) / std::max<std::int64_t>(1, by); }
 

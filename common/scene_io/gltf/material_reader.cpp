@@ -18,17 +18,21 @@ Rgb first_three(const std::array<double, count>& c) {
   return rgb_of({c[0], c[1], c[2]});
 }
 
+/// NaN becomes 0.
+float into_unit(float value) { return value > 1.0F ? 1.0F : value > 0.0F ? value : 0.0F; }
+
 }  // namespace
 
 /// Into [0, 1].
 float GltfMaterialReader::unit(double value, const char* what) {
-  if (value < 0.0 || value > 1.0) remarks_.push_back(std::string(what) + " is clamped to its range");
-  return static_cast<float>(std::clamp(value, 0.0, 1.0));
+  if (!(value >= 0.0 && value <= 1.0)) remarks_.push_back(std::string(what) + " is clamped to its range");
+  return into_unit(static_cast<float>(value));
 }
 
 Rgb GltfMaterialReader::unit(const Rgb& value, const char* what) {
-  if (smallest(value) < 0.0F || largest(value) > 1.0F) remarks_.push_back(std::string(what) + " is clamped to its range");
-  return {std::clamp(value.r, 0.0F, 1.0F), std::clamp(value.g, 0.0F, 1.0F), std::clamp(value.b, 0.0F, 1.0F)};
+  const auto is_in = [](float x) { return x >= 0.0F && x <= 1.0F; };
+  if (!is_in(value.r) || !is_in(value.g) || !is_in(value.b)) remarks_.push_back(std::string(what) + " is clamped to its range");
+  return {into_unit(value.r), into_unit(value.g), into_unit(value.b)};
 }
 
 std::optional<PictureMean> GltfMaterialReader::mean(const GltfValue& owner, const char* key, TexelValues values, AlphaUse alpha) {

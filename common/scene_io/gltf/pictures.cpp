@@ -12,7 +12,7 @@ namespace gibench {
 
 namespace {
 
-constexpr std::size_t most_kept_texels = std::size_t{1} << 24U;  // 256 MB
+constexpr std::size_t most_kept_texels = std::size_t{1} << 26U;  // 1 GB: four pictures of 4096 x 4096
 
 Wrap wrap_of(const std::optional<GltfValue>& sampler, const char* key) {
   constexpr std::size_t clamp = 33071, mirror = 33648;

@@ -70,6 +70,7 @@ class PlyReader {
   void warn(const std::string& text) { model_.warnings.push_back(shown_ + ": " + text); }
 
   void read_vertices(const PlyElement& element) {
+    if (!geometry_.vertices.empty()) place_.refuse("has two elements \"vertex\"", "export it again");
     const std::array<std::size_t, 3> position{index_of(element, {"x"}), index_of(element, {"y"}), index_of(element, {"z"})};
     const std::array<std::size_t, 3> colour{index_of(element, {"red", "diffuse_red", "r"}),
                                             index_of(element, {"green", "diffuse_green", "g"}),
@@ -121,6 +122,7 @@ class PlyReader {
       else add_face(corners, geometry_);
     }
     if (index_of(element, {"texcoord"}) < element.properties.size()) has_texture_points_ = true;
+    if (index_of(element, {"red", "diffuse_red", "r"}) < element.properties.size()) has_face_colours_ = true;
   }
 
   /// Strips of triangles: each index after the second makes one with the two before it, which turn the other way every
@@ -160,6 +162,7 @@ class PlyReader {
       warn(fmt::format("{} bytes after the last element are left out", bytes));
     if (with_materials && !header_.picture.empty()) warn("its picture " + in_quotes(header_.picture) + " is not used");
     else if (with_materials && has_texture_points_) warn("its texture points are not used");
+    if (with_materials && has_face_colours_) warn("the colours of its faces are left out");
   }
 
   void set_colour() {
@@ -191,7 +194,7 @@ class PlyReader {
   std::vector<Vec3> colours_;
   std::set<std::string> left_out_;
   std::size_t points_and_lines_ = 0;
-  bool has_texture_points_ = false;
+  bool has_texture_points_ = false, has_face_colours_ = false;
 };
 
 }  // namespace

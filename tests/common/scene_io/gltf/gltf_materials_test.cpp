@@ -57,6 +57,14 @@ TEST_F(GltfMaterialsTest, VertexColoursAreMultipliedInAsTheirMeanByArea) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("vertex colours are replaced by their mean")));
 }
 
+TEST_F(GltfMaterialsTest, AColourThatIsNotANumberIsClamped) {
+  GltfBuilder made = square();
+  made.primitive()["attributes"]["COLOR_0"] = made.accessor(std::vector<float>(16, NAN), 4);
+  const Scene scene = load_document(made);
+  expect_near(scene.materials.at(0).diffuse, Rgb());
+  EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("is clamped to its range")));
+}
+
 TEST_F(GltfMaterialsTest, VertexColoursOfNormalisedBytes) {
   GltfBuilder made = square();
   const std::size_t colours = made.accessor(std::vector<std::uint8_t>(16, 51), 4);

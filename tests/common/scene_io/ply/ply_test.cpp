@@ -152,5 +152,19 @@ TEST_F(PlyTest, WrongLinesAreNamed) {
               testing::Contains(HasSubstr("5 bytes after the last element")));
 }
 
+TEST_F(PlyTest, ASecondElementOfVerticesIsRefused) {
+  std::string text = header("ascii");
+  const std::string second = "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
+  text.insert(text.find("element face"), second);
+  EXPECT_THAT(error(text + "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n5 5 5\n6 6 6\n4 0 1 2 3\n"), HasSubstr("two elements \"vertex\""));
+}
+
+TEST_F(PlyTest, ColoursOfFacesAreNamed) {
+  std::string text = header("ascii");
+  text.insert(text.find("end_header"), "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  const Scene scene = load_ply(text + "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3 255 0 0\n");
+  EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("the colours of its faces are left out")));
+}
+
 }  // namespace
 }  // namespace gibench::test
