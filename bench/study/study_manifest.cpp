@@ -16,7 +16,7 @@ std::string StudyRunner::key_of(const PlannedRun& run) const {
 
 std::string StudyRunner::key_of(const PlannedRelight& planned) const {
   const StudyRelight& relight = study_.relights[planned.relight];
-  return relight_key(relight, common_, scenes_[relight.scene].check.value().analysis.key, read_file(relight.lights));
+  return relight_key(study_, relight, common_, scenes_[relight.scene].check.value().analysis.key, read_file(relight.lights));
 }
 
 StudySceneRecord StudyRunner::record_of_scene(std::size_t scene) const {

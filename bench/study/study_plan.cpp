@@ -58,13 +58,14 @@ std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions
   return key.hex();
 }
 
-std::string relight_key(const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
+std::string relight_key(const Study& study, const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
                         const std::string& lights) {
   KeyBuilder key;
   key.add(version()).add(commit()).add(scene_key).add(lights).add(relight.method);
   for (const auto& [name, value] : relight.parameters) key.add(name).add(to_text(value));
   key.add(common.seed).add(common.threads);
   for (const std::string& argument : arguments_of(relight.options)) key.add(argument);
+  key.add(study.time_limit_seconds.value_or(0.0)).add(study.memory_limit_bytes.value_or(0));
   return key.hex();
 }
 

@@ -33,7 +33,7 @@ std::vector<PlannedRelight> plan_relights(const Study& study);
 std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions& common, const std::string& scene_key);
 
 /// The same of a relighting; `lights` is the text of its file of moving lights.
-std::string relight_key(const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
+std::string relight_key(const Study& study, const StudyRelight& relight, const WorkOptions& common, const std::string& scene_key,
                         const std::string& lights);
 
 /// The folders of a study's results.
