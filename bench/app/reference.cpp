@@ -9,6 +9,7 @@
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
+#include "bench/measure/memory_needs.h"
 #include "bench/measure/picture_library.h"
 #include "bench/measure/plan_options.h"
 #include "bench/measure/reference_files.h"
@@ -17,6 +18,7 @@
 #include "bench/record/output_folder.h"
 #include "bench/record/reference_facts.h"
 #include "bench/study/shard.h"
+#include "common/core/available_memory.h"
 #include "common/core/error.h"
 #include "common/reference/damaged_reference.h"
 
@@ -160,6 +162,7 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
   MeasuringOptions measuring = options.measuring;
   measuring.reference_seed = common.seed;
   const ReferenceQuestion question = question_of(scene.scene(), measuring);
+  require_memory(question, available_memory());
   if (!options.out.empty() && question.camera) PictureLibrary();
   std::optional<OutputFolder> folder;
   if (!options.out.empty())

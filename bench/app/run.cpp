@@ -11,12 +11,14 @@
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/cancellation.h"
+#include "bench/measure/memory_needs.h"
 #include "bench/measure/picture_library.h"
 #include "bench/measure/result_files.h"
 #include "bench/measure/run_bounces.h"
 #include "bench/measure/run_errors.h"
 #include "bench/measure/run_method.h"
 #include "bench/record/output_folder.h"
+#include "common/core/available_memory.h"
 #include "common/core/error.h"
 #include "common/metrics/metric_table.h"
 
@@ -161,6 +163,7 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   std::optional<PictureLibrary> pictures;
   if (!options.out.empty() && camera) pictures.emplace();
   std::vector<std::string> warnings;
+  require_memory(question_of(scene.scene(), options.measuring), available_memory());
   const std::optional<Reference> reference = stored_reference(options, scene.scene(), warnings);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out, result_file, options.force);

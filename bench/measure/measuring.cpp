@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "bench/measure/cancellation.h"
-#include "bench/measure/memory_needs.h"
-#include "common/core/available_memory.h"
 #include "common/core/error.h"
 #include "common/geometry/surface_domain.h"
 
@@ -60,7 +58,6 @@ ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& option
   if (!options.light_paths.empty()) question.path_class = options.light_paths;
   // An expression and a bound together are written as both.
   if (!options.light_paths.empty() && options.bounces) question.path_class += " & " + path_class(options.bounces);
-  require_memory(question, available_memory());
   return question;
 }
 

@@ -30,8 +30,7 @@ struct MeasuringOptions {
 /// Throws InputError for an unknown name, the known ones listed.
 std::optional<Camera> chosen_camera(const Scene& scene, const MeasuringOptions& options);
 
-/// The question that the stored reference of these options answers. Throws InputError for one whose values do not fit into
-/// the memory that is free.
+/// The question that the stored reference of these options answers.
 ReferenceQuestion question_of(const Scene& scene, const MeasuringOptions& options);
 
 /// OSL light-path expression of all paths with at most so many reflections before the surface that the camera sees.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/core/available_memory.h"
 #include "common/core/error.h"
 #include "common/core/rgb.h"
@@ -34,7 +36,7 @@ void require_memory(const ReferenceQuestion& question, std::uint64_t available) 
   const MemoryNeeds needs = memory_needs(question);
   if (!(needs.surface + needs.image > static_cast<double>(available))) return;
   const bool by_surface = needs.surface > needs.image;
-  const double share = static_cast<double>(available) / (needs.surface + needs.image);
+  const double share = std::max(0.0, static_cast<double>(available) - needs.image) / std::max(1.0, needs.surface);
   throw InputError(by_surface ? "--surface-samples" : "--width",
                    by_surface ? fmt::format("{} samples and their values take {}, of {} that are free", question.surface_samples,
                                             memory_text(needs.surface), memory_text(static_cast<double>(available)))

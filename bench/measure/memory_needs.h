@@ -13,8 +13,8 @@ struct MemoryNeeds {
 };
 MemoryNeeds memory_needs(const ReferenceQuestion& question);
 
-/// Throws InputError that names --surface-samples, or --width and --pixel-samples, where the larger of both needs does not fit
-/// into `available` bytes.
+/// Throws InputError that names --surface-samples, or --width and --pixel-samples (the larger of both needs), where both together
+/// do not fit into `available` bytes.
 void require_memory(const ReferenceQuestion& question, std::uint64_t available);
 
 }  // namespace gibench

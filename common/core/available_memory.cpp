@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 namespace gibench {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
 
 /// The first number of a file that holds nothing else; none for the word "max".
-std::optional<std::uint64_t> number_in(const char* file) {
+std::optional<std::uint64_t> number_in(const std::string& file) {
   std::ifstream in(file);
   std::uint64_t number = 0;
   return in >> number ? std::optional(number) : std::nullopt;
@@ -31,17 +32,30 @@ std::uint64_t available_to_the_system() {
   return unknown;
 }
 
-std::uint64_t left_of(const char* limit_file, const char* usage_file) {
+/// The number after a name in a file of such pairs; 0 without it.
+std::uint64_t named_number_in(const std::string& file, std::string_view wanted) {
+  std::ifstream in(file);
+  std::string name;
+  for (std::uint64_t number = 0; in >> name >> number;)
+    if (name == wanted) return number;
+  return 0;
+}
+
+/// What a control group allows beyond what it uses; `cache` names the part of that which gives way: pages of files.
+std::uint64_t left_of(const std::string& limit_file, const std::string& usage_file, const std::string& stat_file,
+                      std::string_view cache) {
   const auto limit = number_in(limit_file), usage = number_in(usage_file);
   if (!limit || !usage) return unknown;
-  return *limit > *usage ? *limit - *usage : 0;
+  const std::uint64_t used = *usage - std::min(*usage, named_number_in(stat_file, cache));
+  return *limit > used ? *limit - used : 0;
 }
 
 }  // namespace
 
 std::uint64_t available_memory() {
-  return std::min({available_to_the_system(), left_of("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"),
-                   left_of("/sys/fs/cgroup/memory/memory.limit_in_bytes", "/sys/fs/cgroup/memory/memory.usage_in_bytes")});
+  const std::string second = "/sys/fs/cgroup/memory.", first = "/sys/fs/cgroup/memory/memory.";
+  return std::min({available_to_the_system(), left_of(second + "max", second + "current", second + "stat", "inactive_file"),
+                   left_of(first + "limit_in_bytes", first + "usage_in_bytes", first + "stat", "total_inactive_file")});
 }
 
 std::string memory_text(double bytes) {

@@ -2,10 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/measure/measuring.h"
 #include "common/core/available_memory.h"
 #include "common/core/error.h"
-#include "common/scene/made_scenes.h"
 
 namespace gibench {
 namespace {
@@ -47,11 +45,14 @@ TEST(MemoryNeeds, TooLargePicturesAreRefusedByName) {
   EXPECT_THAT(refusal(question, 24 * gigabyte), HasSubstr("--width"));
 }
 
-TEST(MemoryNeeds, AreAskedOfBeforeTheWork) {
-  const Scene scene = made::box_scene();
-  MeasuringOptions options;
-  options.surface_samples = 100'000'000'000'000;
-  EXPECT_THROW(question_of(scene, options), InputError);
+TEST(MemoryNeeds, TheHintFits) {
+  ReferenceQuestion question;
+  question.surface_samples = 100'000'000;
+  question.camera = Camera{};
+  question.pixel_samples = 4;
+  const std::string text = refusal(question, 8 * gigabyte);
+  question.surface_samples = std::stoull(text.substr(text.rfind(' ') + 1));
+  EXPECT_EQ(refusal(question, 8 * gigabyte), "");
 }
 
 TEST(AvailableMemory, IsThere) { EXPECT_GT(available_memory(), 10'000'000U); }
