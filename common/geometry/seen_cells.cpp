@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <optional>
+#include <utility>
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
@@ -16,25 +19,35 @@ constexpr std::uint64_t stage_key = 0x7365656e63656cULL;
 constexpr int rays_across = 128, reflections = 4;
 constexpr float cells_along = 64.0F;
 
-/// Points met by a bundle of rays.
-void trace(const World& world, const std::vector<Ray>& rays, std::vector<SurfaceSample>& found) {
+/// Points met by a bundle of rays, one for each; nothing where a ray meets none.
+std::vector<std::optional<SurfaceSample>> trace(const World& world, const std::vector<Ray>& rays) {
   std::vector<Hit> hits(rays.size());
   world.rays().closest_hits(rays, hits);
+  std::vector<std::optional<SurfaceSample>> met(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
-    if (hits[i]) found.push_back(world.sample_of_hit(hits[i], rays[i].direction));
+    if (hits[i]) met[i] = world.sample_of_hit(hits[i], rays[i].direction);
+  return met;
 }
 
-std::vector<SurfaceSample> found_by_cameras(const World& world) {
+/// What a camera meets, row by row.
+std::vector<std::optional<SurfaceSample>> found_by_camera(const World& world, const CameraView& view) {
   std::vector<Ray> rays;
-  for (const CameraView& view : camera_views(world.scene()))
-    for (int y = 0; y < rays_across; ++y)
-      for (int x = 0; x < rays_across; ++x) {
-        const auto place = [](int i) { return (2.0F * static_cast<float>(i) + 1.0F) / static_cast<float>(rays_across) - 1.0F; };
-        rays.push_back({view.position, 0.0F, view.direction_at(place(x), place(y))});
-      }
-  std::vector<SurfaceSample> found;
-  trace(world, rays, found);
-  return found;
+  const auto place = [](int i) { return (2.0F * static_cast<float>(i) + 1.0F) / static_cast<float>(rays_across) - 1.0F; };
+  for (int y = 0; y < rays_across; ++y)
+    for (int x = 0; x < rays_across; ++x) rays.push_back({view.position, 0.0F, view.direction_at(place(x), place(y))});
+  return trace(world, rays);
+}
+
+/// Neighbours among what a camera meets: on a plane seen at a grazing angle they lie many cells apart.
+void add_links(const std::vector<std::optional<SurfaceSample>>& met, std::vector<std::pair<Vec3, Vec3>>& links) {
+  const std::size_t across = rays_across;
+  const auto link = [&](std::size_t a, std::size_t b) {
+    if (met[a] && met[b]) links.emplace_back(met[a]->position, met[b]->position);
+  };
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (i % across + 1 < across) link(i, i + 1);
+    if (i + across < met.size()) link(i, i + across);
+  }
 }
 
 std::vector<SurfaceSample> found_by_reflection(const World& world, const std::vector<SurfaceSample>& seen) {
@@ -49,14 +62,22 @@ std::vector<SurfaceSample> found_by_reflection(const World& world, const std::ve
     }
   }
   std::vector<SurfaceSample> found;
-  trace(world, rays, found);
+  for (const auto& met : trace(world, rays))
+    if (met) found.push_back(*met);
   return found;
 }
 
 }  // namespace
 
 SeenCells::SeenCells(const World& world) {
-  std::vector<SurfaceSample> found = found_by_cameras(world);
+  std::vector<SurfaceSample> found;
+  std::vector<std::pair<Vec3, Vec3>> links;
+  for (const CameraView& view : camera_views(world.scene())) {
+    const auto met = found_by_camera(world, view);
+    add_links(met, links);
+    for (const auto& sample : met)
+      if (sample) found.push_back(*sample);
+  }
   const std::vector<SurfaceSample> reflected = found_by_reflection(world, found);
   found.insert(found.end(), reflected.begin(), reflected.end());
   if (found.empty()) return;
@@ -68,6 +89,10 @@ SeenCells::SeenCells(const World& world) {
   nx_ = count(extent.x), ny_ = count(extent.y), nz_ = count(extent.z);
   marked_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * static_cast<std::size_t>(nz_), 0);
   for (const SurfaceSample& sample : found) mark_around(cell_of(sample.position));
+  for (const auto& [a, b] : links) {
+    const int steps = static_cast<int>(glm::distance(a, b) / cell_size_) + 1;
+    for (int s = 1; s < steps; ++s) mark_around(cell_of(glm::mix(a, b, static_cast<float>(s) / static_cast<float>(steps))));
+  }
 }
 
 SeenCells::Cell SeenCells::cell_of(const Vec3& position) const {

@@ -12,7 +12,8 @@ namespace gibench {
 /// seen is asked point by point (CameraSight).
 class SeenCells {
  public:
-  /// Traces 128 × 128 rays from each camera and four cosine-distributed rays from each point that they meet.
+  /// Traces 128 × 128 rays from each camera and four cosine-distributed rays from each point that they meet; what lies between
+  /// neighbouring points of a camera counts as found.
   explicit SeenCells(const World& world);
 
   /// Whether a cell that overlaps the box, or a neighbour of one, holds something found.

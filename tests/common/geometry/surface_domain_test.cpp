@@ -68,6 +68,25 @@ TEST(SurfaceDomain, WhatTheCameraSeesIsSampledUniformlyByArea) {
   EXPECT_EQ(under, 0);
 }
 
+/// Rows of rays meet it many cells apart, yet nothing of it is left out.
+TEST(SurfaceDomain, APlaneSeenAtAGrazingAngleIsSampledAllOver) {
+  made::SceneBuilder builder;
+  builder.quad("ground", builder.diffuse("white", Rgb(0.5F)),
+               {Vec3(-50, 0, 0), Vec3(50, 0, 0), Vec3(50, 0, -100), Vec3(-50, 0, -100)});
+  Camera camera;
+  camera.position = {0, 1.6F, 0}, camera.look_at = {0, 1.6F, -1}, camera.up = {0, 1, 0}, camera.vertical_fov_degrees = 45.0F;
+  builder.camera(camera);
+  const World world(builder.build("plain"), 1);
+  std::size_t far = 0;
+  const auto seen = domain_samples(world, {SurfaceDomain::Kind::seen, {}}, 4000, 1, 1);
+  for (const SurfaceSample& sample : seen) {
+    const double z = -(static_cast<double>(sample.position.z) + world.scene().origin.z);
+    if (z > 73.0 && z < 90.0) ++far;
+  }
+  // 45 degrees wide as well as high: of the wedge from 4 to 98 m this band is 0.29.
+  EXPECT_GT(far, 800U);
+}
+
 TEST(SurfaceDomain, ObjectsByName) {
   const World world(two_rooms(), 1);
   const auto samples = domain_samples(world, {SurfaceDomain::Kind::objects, {"dark"}}, 500, 1, 1);
