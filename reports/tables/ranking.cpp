@@ -176,9 +176,10 @@ std::optional<SpeedUp> speed_up(const Baseline& baseline, const StudyRun& run, c
   // A run of the path tracer lies on the curve with the very error that the curve has there.
   if (!interval || run.method == baseline_method) return speed;
   // The larger the run's error and the smaller the path tracer's, the sooner the path tracer is there.
-  if (const auto soonest = baseline.low_ends.seconds_at(interval->second)) speed.low = soonest->seconds / *seconds;
+  if (const auto soonest = baseline.low_ends.seconds_at(interval->second))
+    speed.low = std::min(speed.factor, soonest->seconds / *seconds);
   if (const auto latest = baseline.high_ends.seconds_at(interval->first); latest && error->resolved)
-    speed.high = latest->seconds / *seconds;
+    speed.high = std::max(speed.factor, latest->seconds / *seconds);
   return speed;
 }
 

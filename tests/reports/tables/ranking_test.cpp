@@ -121,6 +121,15 @@ TEST(SpeedUp, HasTheIntervalsOfThePathTracersErrors) {
   EXPECT_NEAR(*speed->high, 4.0 * 1.44, 1e-9);
 }
 
+TEST(SpeedUp, LiesInItsInterval) {
+  const Study study = study_of({"a"}, {with_interval(run_of("a", "pathtracer", "fast", 1.0, 0.2), 0.18, 0.22),
+                                       with_interval(run_of("a", "pathtracer", "slow", 4.0, 0.18), 0.1, 0.26)});
+  const auto speed =
+      speed_up(baseline_of(study, "a", key, ""), with_interval(run_of("a", "m", "m", 0.1, 0.18), 0.179, 0.181), key);
+  EXPECT_LE(*speed->low, speed->factor);
+  EXPECT_GE(*speed->high, speed->factor);
+}
+
 TEST(TransportSeconds, AddsTheStagesOfTheDomain) {
   StudyRun run;
   run.seconds = {
