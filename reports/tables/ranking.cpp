@@ -82,19 +82,25 @@ class FactorMean {
     row.compared = count_;
     if (count_ == 0) return;
     row.geometric_mean = std::exp(log_sum_ / count_);
-    if (below_) row.mean_low = *row.geometric_mean * std::exp(-std::sqrt(*below_) / count_);
-    if (above_) row.mean_high = *row.geometric_mean * std::exp(std::sqrt(*above_) / count_);
+    if (below_.known) row.mean_low = *row.geometric_mean * std::exp(-std::sqrt(below_.squares) / count_);
+    if (above_.known) row.mean_high = *row.geometric_mean * std::exp(std::sqrt(above_.squares) / count_);
   }
 
  private:
+  /// The sum of squares on one side of the factors; not known where some factor's interval has no such end.
+  struct Spread {
+    double squares = 0.0;
+    bool known = true;
+  };
+
   /// Adds the square of the logarithm between a factor and an end of its interval.
-  static void widen(std::optional<double>& squares, const std::optional<double>& end, double factor) {
-    if (!end || *end <= 0.0) squares.reset();
-    else if (squares) *squares += std::pow(std::log(*end / factor), 2);
+  static void widen(Spread& spread, const std::optional<double>& end, double factor) {
+    if (end && *end > 0.0) spread.squares += std::pow(std::log(*end / factor), 2);
+    else spread.known = false;
   }
 
   double log_sum_ = 0.0;
-  std::optional<double> below_ = 0.0, above_ = 0.0;
+  Spread below_, above_;
   int count_ = 0;
 };
 
