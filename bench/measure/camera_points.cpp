@@ -8,6 +8,7 @@
 #include "common/core/error.h"
 #include "common/core/parallel.h"
 #include "common/core/random.h"
+#include "common/geometry/camera_view.h"
 
 namespace gibench {
 
@@ -18,13 +19,8 @@ constexpr std::uint64_t stage_key = 0x63616d657261ULL;
 /// Camera rays as the picture's rows ask for them.
 class PinholeRays {
  public:
-  PinholeRays(const Camera& camera, int strata, std::uint64_t seed) : camera_(camera), strata_(strata), seed_(seed) {
-    forward_ = glm::normalize(camera.look_at - camera.position);
-    right_ = glm::normalize(glm::cross(forward_, camera.up));
-    up_ = glm::cross(right_, forward_);
-    half_height_ = std::tan(0.5F * camera.vertical_fov_degrees * pi / 180.0F);
-    half_width_ = half_height_ * static_cast<float>(camera.width) / static_cast<float>(camera.height);
-  }
+  PinholeRays(const Camera& camera, int strata, std::uint64_t seed)
+      : camera_(camera), view_(camera), strata_(strata), seed_(seed) {}
 
   void append(int x, int y, std::vector<Ray>& rays) const {
     RandomStream random(
@@ -36,17 +32,15 @@ class PinholeRays {
         const float v = (static_cast<float>(j) + random.next_float()) / static_cast<float>(strata_);
         const float across = 2.0F * (static_cast<float>(x) + u) / static_cast<float>(camera_.width) - 1.0F;
         const float upward = 1.0F - 2.0F * (static_cast<float>(y) + v) / static_cast<float>(camera_.height);
-        const Vec3 direction = forward_ + across * half_width_ * right_ + upward * half_height_ * up_;
-        rays.push_back({camera_.position, 0.0F, glm::normalize(direction)});
+        rays.push_back({camera_.position, 0.0F, glm::normalize(view_.direction_at(across, upward))});
       }
   }
 
  private:
   Camera camera_;
+  CameraView view_;
   int strata_;
   std::uint64_t seed_;
-  Vec3 forward_, right_, up_;
-  float half_width_ = 1.0F, half_height_ = 1.0F;
 };
 
 /// One row of the picture, `points` standing for that row alone.

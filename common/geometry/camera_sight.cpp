@@ -1,7 +1,6 @@
 #include "common/geometry/camera_sight.h"
 
 #include <array>
-#include <cmath>
 
 #include "common/core/sampling.h"
 #include "common/core/vec.h"
@@ -13,24 +12,6 @@ namespace {
 constexpr std::size_t reflection_rays = 16;
 
 }  // namespace
-
-CameraView::CameraView(const Camera& camera)
-    : position(camera.position),
-      forward(glm::normalize(camera.look_at - camera.position)),
-      right(glm::normalize(glm::cross(forward, camera.up))),
-      up(glm::cross(right, forward)),
-      half_height(std::tan(0.5F * camera.vertical_fov_degrees * pi / 180.0F)) {
-  half_width = half_height * static_cast<float>(camera.width) / static_cast<float>(camera.height);
-}
-
-bool CameraView::in_picture(const Vec3& point) const {
-  const Vec3 away = point - position;
-  const float depth = glm::dot(away, forward);
-  return depth > 0.0F && std::abs(glm::dot(away, right)) <= depth * half_width &&
-         std::abs(glm::dot(away, up)) <= depth * half_height;
-}
-
-std::vector<CameraView> camera_views(const Scene& scene) { return {scene.cameras.begin(), scene.cameras.end()}; }
 
 bool CameraSight::sees(const SurfaceSample& sample) const {
   for (const CameraView& view : views_) {

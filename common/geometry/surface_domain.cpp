@@ -29,8 +29,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 void require_object(const std::string& name, const Scene& scene, const std::string& place) {
-  const auto named = [&name](const Object& object) { return stands_for(name, object.name); };
-  if (std::any_of(scene.objects.begin(), scene.objects.end(), named)) return;
+  if (has_object(scene, name)) return;
   std::vector<std::string> known{"seen", "all"};
   for (const Object& object : scene.objects) known.push_back(object.name);
   throw InputError(place, "the scene has no object " + in_quotes(name), known_names("surface domains", name, known));

@@ -63,6 +63,16 @@ inline Scene load(const nlohmann::json& scene, const std::filesystem::path& fold
   return parse_scene(scene.dump(), "box.scene.json", folder);
 }
 
+/// Square metres of all triangles, one side.
+inline double area_of(const Scene& scene) {
+  double area = 0.0;
+  for (const Triangle& t : scene.triangles) {
+    const Vec3 a = scene.vertices[t.corners[0]], b = scene.vertices[t.corners[1]], c = scene.vertices[t.corners[2]];
+    area += 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
+  }
+  return area;
+}
+
 /// The message of the InputError that `call` throws; a failure where it throws none.
 template <class Call>
 std::string error_of(const Call& call) {

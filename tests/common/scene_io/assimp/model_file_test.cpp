@@ -12,15 +12,6 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-double total_area(const Scene& scene) {
-  double area = 0.0;
-  for (const Triangle& t : scene.triangles) {
-    const Vec3 a = scene.vertices[t.corners[0]], b = scene.vertices[t.corners[1]], c = scene.vertices[t.corners[2]];
-    area += 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
-  }
-  return area;
-}
-
 std::vector<std::string> object_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Object& object : scene.objects) names.push_back(object.name);
@@ -49,7 +40,7 @@ TEST_F(ModelFileTest, ObjKeepsQuadsAndReadsRelativeIndicesAndTabs) {
   EXPECT_TRUE(scene.faces[0].is_quad());
   EXPECT_FALSE(scene.faces[1].is_quad());
   EXPECT_EQ(scene.vertices.size(), 6U);
-  EXPECT_NEAR(total_area(scene), 1.5, 1e-6);
+  EXPECT_NEAR(area_of(scene), 1.5, 1e-6);
   EXPECT_EQ(scene.name, "box");
   EXPECT_EQ(scene.file, folder_ / "box.obj");
 }
@@ -72,7 +63,7 @@ TEST_F(ModelFileTest, LargePolygonsAreTriangulatedAndSmallFacesStay) {
   for (const Face& face : scene.faces) quads += face.is_quad() ? 1U : 0U;
   EXPECT_EQ(quads, 1U);
   EXPECT_EQ(scene.faces.size(), 1U + 1U + 4U + 3U);
-  EXPECT_NEAR(total_area(scene), 3.0 + 1.5 + 1.5 + 1.0, 1e-5);
+  EXPECT_NEAR(area_of(scene), 3.0 + 1.5 + 1.5 + 1.0, 1e-5);
   for (const Triangle& t : scene.triangles) {
     const Vec3 a = scene.vertices[t.corners[0]], b = scene.vertices[t.corners[1]], c = scene.vertices[t.corners[2]];
     EXPECT_GT(glm::cross(b - a, c - a).z, 0.0F);  // all fronts up
@@ -236,7 +227,7 @@ TEST_F(ModelFileTest, StlAsciiAndBinary) {
   for (const float x : {0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F}) put(x);
   put(std::uint16_t{0});
   const Scene binary = load_text("b.stl", data);
-  EXPECT_NEAR(total_area(binary), 0.5, 1e-6);
+  EXPECT_NEAR(area_of(binary), 0.5, 1e-6);
 }
 
 }  // namespace

@@ -98,17 +98,6 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Of all triangles, m².
-inline double area_of(const Scene& scene) {
-  double sum = 0.0;
-  for (const Triangle& triangle : scene.triangles) {
-    const auto& [a, b, c] = triangle.corners;
-    sum += 0.5 * static_cast<double>(
-                     glm::length(glm::cross(scene.vertices[b] - scene.vertices[a], scene.vertices[c] - scene.vertices[a])));
-  }
-  return sum;
-}
-
 /// Tests that load documents from a folder of their own.
 class GltfTest : public testing::Test {
  protected:

@@ -15,15 +15,6 @@ using testing::Not;
 
 const std::string square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
 
-double area_of(const Scene& scene) {
-  double area = 0.0;
-  for (const Triangle& t : scene.triangles) {
-    const Vec3 a = scene.vertices[t.corners[0]], b = scene.vertices[t.corners[1]], c = scene.vertices[t.corners[2]];
-    area += 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
-  }
-  return area;
-}
-
 class ObjTest : public testing::Test {
  protected:
   Scene load_obj(const std::string& text) {

@@ -12,15 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-double area_of(const Scene& scene) {
-  double area = 0.0;
-  for (const Triangle& t : scene.triangles) {
-    const Vec3 a = scene.vertices[t.corners[0]], b = scene.vertices[t.corners[1]], c = scene.vertices[t.corners[2]];
-    area += 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
-  }
-  return area;
-}
-
 const std::string square = "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3\n";
 
 std::string header(const std::string& format, const std::string& line_end = "\n") {
