@@ -1,6 +1,7 @@
 #include "common/spaces/cell_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/core/error.h"
@@ -15,6 +16,8 @@ constexpr std::uint64_t place_stage = 0x7370616365706c61ULL, another_stage = 0x7
 constexpr int most_tries = 8;        // for a point that is not behind what coincides with it
 constexpr float lift_share = 0.02F;  // of a cell's size: so far above it, what stands on it is looked for
 constexpr std::size_t points_a_chunk = 256;
+// Where a wall may cut off what lies beyond all points; a little inside, because others stand along the edges.
+constexpr std::array<Vec2, 3> near_corners{Vec2(0.02F, 0.02F), Vec2(0.96F, 0.02F), Vec2(0.02F, 0.96F)};
 
 /// A point of one of the four parts of a triangle: at its three corners, then the middle.
 Vec2 in_part(std::uint32_t part, Vec2 place) {
@@ -67,6 +70,8 @@ void CellPoints::find_divided(Task& task) {
       const SurfaceSample centre = at(of, places_[middle]);
       for (std::uint32_t point = first; point < middle && divided_[of] == 0; ++point)
         if (exists(point) && !are_joined(of, centre, at(of, places_[point]), rays)) divided_[of] = 1;
+      for (std::size_t corner = 0; corner < near_corners.size() && divided_[of] == 0; ++corner)
+        if (!are_joined(of, centre, at(of, cells_.barycentrics(of, near_corners[corner])), rays)) divided_[of] = 1;
     }
   });
 }

@@ -12,8 +12,8 @@
 namespace gibench {
 
 /// A random point in each of the four parts of each cell (in one where cells are many). A cell is divided where something stands
-/// on it between its points, as a wall on a ground plane: what is met there is then not the cell as a whole but the point that is
-/// not parted from the place, so that no light passes under the wall.
+/// on it between its points or before its corners, as a wall on a ground plane: what is met there is then not the cell as a whole
+/// but the point that is not parted from the place, so that no light passes under the wall.
 class CellPoints {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
