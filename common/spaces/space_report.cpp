@@ -15,7 +15,7 @@ namespace gibench {
 namespace {
 
 constexpr double nearly_all = 0.95;   // of what is lit or seen
-constexpr double least_share = 0.01;  // of all that is lit or arrives: less is not worth a word
+constexpr double least_share = 0.01;  // of all that arrives: less is not worth a word
 constexpr std::size_t most_named = 5;
 
 /// A model file, of the objects "name/…" that it was split into, is spoken of as one.
@@ -57,70 +57,75 @@ std::string listed(std::vector<std::string> names) {
   return text;
 }
 
+/// Names of models, and the light that reaches them.
+struct Suspects {
+  std::vector<std::string> names;
+  double fronts = 0.0, backs = 0.0;  ///< W
+
+  void add(const std::string& name, const SideFacts& front, const SideFacts& back) {
+    names.push_back(in_quotes(name));
+    fronts += front.power, backs += back.power;
+  }
+};
+
 class Warnings {
  public:
-  explicit Warnings(const SpaceReport& report) : report_(report) {
+  explicit Warnings(const SpaceReport& report) {
     for (const ObjectSides& object : report.objects) {
       all_power_ += object.front.power + object.back.power;
-      all_lit_ += object.front.lit_area + object.back.lit_area;
       has_seen_ = has_seen_ || object.front.seen_area + object.back.seen_area > 0.0;
+    }
+    if (report.nothing_reached)
+      sentences_.emplace_back("no light reaches any side that can reflect it: all of them count as lit");
+    for (const Model& model : models_of(report.objects)) {
+      if (model.two_sided) judge_two_sided(model);
+      else judge_one_sided(model);
     }
   }
 
-  std::vector<std::string> all() const {
-    std::vector<std::string> warnings;
-    if (report_.nothing_reached) warnings.emplace_back("no light reaches any side that can reflect it: all of them count as lit");
-    for (const Model& model : models_of(report_.objects)) {
-      std::string warning = model.two_sided ? two_sided(model) : one_sided(model);
-      if (!warning.empty()) warnings.push_back(std::move(warning));
-    }
-    return warnings;
+  std::vector<std::string> take() {
+    add("two-sided for nothing? Of the light that reaches", needless_, "fronts", share(needless_.fronts, needless_.backs));
+    if (!turned_.empty()) sentences_.back() += "; but it meets mostly backs of " + listed(turned_);
+    add("inside out? Of the light that reaches two-sided", turned_round_, "backs",
+        share(turned_round_.backs, turned_round_.fronts));
+    add("inside out, or two-sided? Of the light that reaches", inside_out_, "black backs",
+        share(inside_out_.backs, inside_out_.fronts));
+    return std::move(sentences_);
   }
 
  private:
-  std::string two_sided(const Model& model) const {
-    const double fronts = model.front.lit_area, backs = model.back.lit_area;
-    if (report_.nothing_reached || fronts + backs < least_share * all_lit_) return {};
-    const double percent = 100.0 * std::max(share(fronts, backs), share(backs, fronts));
-    if (share(fronts, backs) >= nearly_all) {
-      const std::string turned = listed(turned_parts(model));
-      return fmt::format("object {} is two-sided, but {:.1f}% of what light reaches of it are fronts: is it needed?{}",
-                         in_quotes(model.name), percent, turned.empty() ? "" : " Mostly backs are lit of " + turned);
-    }
-    if (share(backs, fronts) < nearly_all) return {};
-    return fmt::format("object {} is two-sided, and {:.1f}% of what light reaches of it are backs: is it inside out?",
-                       in_quotes(model.name), percent);
+  void add(const char* question, const Suspects& suspects, const char* sides, double part) {
+    if (suspects.names.empty()) return;
+    sentences_.push_back(fmt::format("{} {} {:.1f}% meets {}", question, listed(suspects.names), 100.0 * part, sides));
+  }
+  bool counts(const SideFacts& front, const SideFacts& back) const {
+    return front.power + back.power > 0.0 && front.power + back.power >= least_share * all_power_;
   }
 
-  /// Of which one-sided fronts would show black backs.
-  static std::vector<std::string> turned_parts(const Model& model) {
-    std::vector<std::string> names;
-    for (const ObjectSides* object : model.objects)
-      if (share(object->back.lit_area, object->front.lit_area) > 0.5) names.push_back(in_quotes(object->name));
-    return names;
+  void judge_two_sided(const Model& model) {
+    if (!counts(model.front, model.back)) return;
+    if (share(model.back.power, model.front.power) >= nearly_all) turned_round_.add(model.name, model.front, model.back);
+    if (share(model.front.power, model.back.power) < nearly_all) return;
+    needless_.add(model.name, model.front, model.back);
+    for (const ObjectSides* object : model.objects)  // whose one-sided fronts would show black backs
+      if (counts(object->front, object->back) && object->back.power > object->front.power)
+        turned_.push_back(in_quotes(object->name));
   }
 
   /// Black backs are lit, and where there are cameras seen, and hardly any fronts.
-  std::string one_sided(const Model& model) const {
-    std::vector<std::string> names;
-    double backs = 0.0, fronts = 0.0;
+  void judge_one_sided(const Model& model) {
     for (const ObjectSides* object : model.objects) {
-      if (!is_inside_out(object->front, object->back)) continue;
-      names.push_back(in_quotes(object->name));
-      backs += object->back.power, fronts += object->front.power;
+      const SideFacts &front = object->front, &back = object->back;
+      if (counts(front, back) && share(back.power, front.power) >= nearly_all &&
+          (!has_seen_ || share(back.seen_area, front.seen_area) >= nearly_all))
+        inside_out_.add(object->name, front, back);
     }
-    if (names.empty()) return {};
-    return fmt::format("{:.1f}% of the light that reaches {} {} meets its black back: is it inside out, or two-sided?",
-                       100.0 * share(backs, fronts), names.size() == 1 ? "object" : "each of the objects", listed(names));
-  }
-  bool is_inside_out(const SideFacts& front, const SideFacts& back) const {
-    return back.power >= least_share * all_power_ && share(back.power, front.power) >= nearly_all &&
-           (!has_seen_ || share(back.seen_area, front.seen_area) >= nearly_all);
   }
 
-  const SpaceReport& report_;
-  double all_power_ = 0.0, all_lit_ = 0.0;
+  double all_power_ = 0.0;
   bool has_seen_ = false;
+  Suspects needless_, turned_round_, inside_out_;
+  std::vector<std::string> turned_, sentences_;
 };
 
 /// Black backs are compared with what fronts get; where these get nothing, with the mean of the backs.
@@ -160,7 +165,7 @@ SpaceReport report_spaces(const World& world, Task& task) {
     if (light.is_cell_seen(cell)) (front ? report.seen_fronts : report.seen_backs) += area;
     if (!counts_as_lit && !light.is_cell_seen(cell)) report.sealed += area;
   }
-  report.warnings = Warnings(report).all();
+  report.warnings = Warnings(report).take();
   return report;
 }
 

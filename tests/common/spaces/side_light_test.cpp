@@ -249,8 +249,9 @@ TEST(SideLight, ACrackDoesNotLightAChamber) {
   made.builder.light(lamp_at({0.5F, 0.4F, 0.5F}));
   const Sides sides(made.builder.build("crack"));
   EXPECT_EQ(sides.reached("room"), 1.0);
-  // A thousandth of a square metre lets 1e-3 E pass; over 6 m² that reflect half it gives 3e-4 E. Single cells are given more: about
-  // 40 of 8192 hold the streak that the lamp casts, and one in 24 rays meets these from 24 · 40 / 8192 = 12% of the cells at most.
+  // A thousandth of a square metre lets 1e-3 E pass; over 6 m² that reflect half it gives 3e-4 E. Single cells are given more:
+  // about 40 of 8192 hold the streak that the lamp casts, and one in 24 rays meets these from 24 · 40 / 8192 = 12% of the cells
+  // at most.
   EXPECT_LE(sides.reached("chamber"), 0.13);
 }
 

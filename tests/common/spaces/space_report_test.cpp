@@ -56,15 +56,14 @@ TEST(SpaceReport, ATwoSidedRoomOfWhichOnlyFrontsAreLitIsAskedAbout) {
   const SpaceReport report = report_of_room(true, true);
   EXPECT_NEAR(report.area, 12.0, 1e-4);
   EXPECT_NEAR(report.sealed, 6.0, 1e-4);
-  EXPECT_THAT(report.warnings, ElementsAre(AllOf(HasSubstr("\"room\" is two-sided"), HasSubstr("100.0%"), HasSubstr("fronts"),
-                                                 HasSubstr("needed?"))));
+  EXPECT_THAT(report.warnings,
+              ElementsAre(AllOf(HasSubstr("two-sided for nothing?"), HasSubstr("\"room\" 100.0% meets fronts"))));
 }
 
 TEST(SpaceReport, ATwoSidedRoomThatShowsItsBacksIsAskedAbout) {
   const SpaceReport report = report_of_room(false, true);
   EXPECT_NEAR(report.lit_backs, 6.0, 1e-4);
-  EXPECT_THAT(report.warnings,
-              ElementsAre(AllOf(HasSubstr("\"room\" is two-sided"), HasSubstr("backs"), HasSubstr("inside out?"))));
+  EXPECT_THAT(report.warnings, ElementsAre(AllOf(HasSubstr("inside out?"), HasSubstr("two-sided \"room\" 100.0% meets backs"))));
 }
 
 TEST(SpaceReport, AOneSidedRoomThatIsInsideOutIsNamed) {
@@ -72,7 +71,7 @@ TEST(SpaceReport, AOneSidedRoomThatIsInsideOutIsNamed) {
   EXPECT_TRUE(report.nothing_reached);
   EXPECT_NEAR(report.objects[0].back.lit_area, 6.0, 1e-4);
   EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("no light reaches"),
-                                           AllOf(HasSubstr("\"room\""), HasSubstr("100.0%"), HasSubstr("black back"))));
+                                           AllOf(HasSubstr("inside out"), HasSubstr("\"room\" 100.0% meets black backs"))));
 }
 
 TEST(SpaceReport, WithoutLightThereIsOneWarning) {
@@ -94,13 +93,25 @@ TEST(SpaceReport, ASheetThatIsLitFromBothSidesDrawsNoWarning) {
 TEST(SpaceReport, PartsOfAModelThatShowTheirBacksAreNamed) {
   made::SceneBuilder builder;
   add_box(builder, "hall/walls", {0, 0, 0}, {1, 1, 1}, true, true);
-  add_box(builder, "hall/niche", {0.99F, 0.4F, 0.4F}, {1.0F, 0.42F, 0.42F}, true, true);
   builder.quad("hall/vault", builder.diffuse("vault", Rgb(0.5F)),
-               {Vec3(0.4F, 0.999F, 0.6F), Vec3(0.6F, 0.999F, 0.6F), Vec3(0.6F, 0.999F, 0.4F), Vec3(0.4F, 0.999F, 0.4F)}, true);
+               {Vec3(0.3F, 0.999F, 0.7F), Vec3(0.7F, 0.999F, 0.7F), Vec3(0.7F, 0.999F, 0.3F), Vec3(0.3F, 0.999F, 0.3F)}, true);
   builder.light(PointLight{{0.5F, 0.5F, 0.5F}, Rgb(1.0F)});
-  const SpaceReport report = report_of(builder);
-  ASSERT_EQ(report.warnings.size(), 1U);
-  EXPECT_THAT(report.warnings[0], AllOf(HasSubstr("\"hall\""), HasSubstr("needed?")));
+  // A wall of 1 m² gets a sixth, the vault's 0.16 m² about a twenty-fifth of all.
+  EXPECT_THAT(report_of(builder).warnings,
+              ElementsAre(AllOf(HasSubstr("for nothing?"), HasSubstr("\"hall\""), HasSubstr("mostly backs of \"hall/vault\""))));
+}
+
+/// Twenty plates in the sun make one warning, not twenty.
+TEST(SpaceReport, ManyObjectsMakeOneWarning) {
+  made::SceneBuilder builder;
+  for (int i = 0; i < 20; ++i) {
+    const float x = static_cast<float>(i);
+    const std::string name = "plate " + std::to_string(i);
+    builder.quad(name, builder.diffuse(name, Rgb(0.5F)), {Vec3(x, 0, 0), Vec3(x, 0, 1), Vec3(x + 1, 0, 1), Vec3(x + 1, 0, 0)},
+                 true);
+  }
+  builder.light(DirectionalLight{{0, -1, 0}, Rgb(1.0F)});
+  EXPECT_THAT(report_of(builder).warnings, ElementsAre(AllOf(HasSubstr("for nothing?"), HasSubstr("and 15 more"))));
 }
 
 }  // namespace
