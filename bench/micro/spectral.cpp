@@ -190,7 +190,7 @@ const Room& room(std::int64_t thousandths) {
 
 void count_room(benchmark::State& state, const Room& room) {
   state.counters["vertices"] = static_cast<double>(room.direct.size());
-  state.counters["functions"] = static_cast<double>(room.made.transfer.basis.functions());
+  state.counters["functions"] = static_cast<double>(room.made.transfer.basis.columns());
   state.counters["coefficients_per_vertex"] =
       static_cast<double>(room.matrix().coefficients()) / static_cast<double>(room.direct.size());
   state.counters["matrix_bytes"] = static_cast<double>(room.matrix().bytes());

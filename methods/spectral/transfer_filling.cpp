@@ -14,7 +14,7 @@ constexpr std::size_t rows_a_report = 256 * block_rows;  // vertices between two
 class Filling {
  public:
   Filling(const World& world, const VertexRays& rays, Transfer& transfer, Task& task)
-      : world_(world), rays_(rays), transfer_(transfer), task_(task) {}
+      : world_(world), transfer_(transfer), task_(task), makers_(transfer.basis, rays) {}
 
   /// All rows, section by section; the blocks of each are made in parallel and appended in order.
   void fill() {
@@ -36,7 +36,9 @@ class Filling {
   void fill_section(std::size_t begin, std::size_t end) {
     std::vector<std::unique_ptr<Made>> made(chunk_count(end - begin, block_rows));
     task_.parallel_chunks(end - begin, block_rows, [&](const ChunkRange& range) {
-      made[range.chunk] = std::make_unique<Made>(make_block(begin + range.begin, begin + range.end));
+      makers_.use([&](TransferRows& maker) {
+        made[range.chunk] = std::make_unique<Made>(make_block(begin + range.begin, begin + range.end, maker));
+      });
     });
     for (const auto& block : made) {
       if (!block) continue;  // cancelled
@@ -45,10 +47,9 @@ class Filling {
     }
   }
 
-  Made make_block(std::size_t begin, std::size_t end) {
+  Made make_block(std::size_t begin, std::size_t end, TransferRows& maker) {
     const std::size_t columns = transfer_.basis.columns(), slices = transfer_.harmonic_slices.size();
     RayStream stream = task_.rays(world_);
-    TransferRows maker(transfer_.basis, rays_);
     const std::span vertices = std::span(transfer_.vertex_of_slot).subspan(begin, end - begin);
     const std::span glossy_rows = std::span(transfer_.glossy_row).subspan(begin, end - begin);
     std::vector<std::vector<float>> rows(1 + slices);  // of the irradiance and of every slice, one behind the other
@@ -87,9 +88,9 @@ class Filling {
   }
 
   const World& world_;
-  const VertexRays& rays_;
   Transfer& transfer_;
   Task& task_;
+  TransferRowsPool makers_;
 };
 
 }  // namespace

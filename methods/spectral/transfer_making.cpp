@@ -57,7 +57,7 @@ void make_slots(const Settings& settings, TransferMaking& making, Task& task) {
     making.message = fmt::format("{} basis functions asked for, {} vertices: the basis is complete with one per vertex",
                                  settings.basis_functions, graph.size());
   task.count("parts", transfer.basis.parts().size());
-  task.count("basis_functions", transfer.basis.functions());
+  task.count("basis_functions", transfer.basis.columns());
   task.count("basis_bytes", transfer.basis.bytes());
   task.count("dense_parts", made.dense_parts);
   task.count("eigenvector_retries", made.failed_attempts);

@@ -126,11 +126,11 @@ TEST(SpectralRelighting, FixedAlbedosTellHowFarErrorsOfTheMatrixCount) {
 TEST(SpectralRelighting, TooManyColumnsToFoldAreRefusedBeforeTheWork) {
   TransferWish wish;
   const std::vector<std::pair<std::string, std::string>> settings{{"mode", "fixed_albedo"}, {"vertices", "1"}, {"rays", "1"}};
-  // Loose triangles are parts of their own, each with a column of eight numbers.
+  // Loose triangles are parts of their own, each with a column.
   wish.reflectance.assign(1, Rgb(0.1F));
-  const SpectralRoom loose(made::random_triangles(1100, 10.0F, 0.1F, 3), settings, wish);
+  const SpectralRoom loose(made::random_triangles(8300, 10.0F, 0.1F, 3), settings, wish);
   EXPECT_EQ(loose.made.termination, Termination::out_of_budget);
-  for (const char* word : {"mode=fixed_albedo", "basis_functions", "8192", "8800"})
+  for (const char* word : {"mode=fixed_albedo", "basis_functions", "8192", "8300"})
     EXPECT_NE(loose.made.message.find(word), std::string::npos) << loose.made.message;
 }
 

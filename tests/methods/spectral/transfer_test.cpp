@@ -54,7 +54,7 @@ TEST(SpectralTransfer, CompleteBasisEqualsNodalGatheringThroughTheSameRays) {
                                       {"compression_error", "0"},
                                       {"laplacian", laplacian}});
     ASSERT_EQ(room.made.termination, Termination::done) << room.made.message;
-    ASSERT_EQ(room.transfer().basis.functions(), room.slots());
+    ASSERT_EQ(room.transfer().basis.columns(), room.slots());
     const std::vector<Rgb4> light = random_light(room.slots());
     const std::vector<RgbDouble> expected = gathered(room, light);
     const std::vector<Rgb4> answer = transferred(room, light);
@@ -212,6 +212,23 @@ TEST(SpectralTransfer, RowsOfABlockAreThoseOfItsVertices) {
   for (std::size_t i = 0; i < 5; ++i) {
     maker.irradiance(room.transfer().vertex_of_slot[40 + i], stream, alone);
     for (std::size_t c = 0; c < columns; ++c) EXPECT_NEAR(together[i * columns + c], alone[c], 1e-5F);
+  }
+}
+
+TEST(SpectralTransfer, AMakerOfRowsKeepsNothingFromOneBlockToTheNext) {
+  SpectralRoom room(closed_room(), {{"vertices", "300"}, {"basis_functions", "40"}, {"rays", "64"}, {"compression_error", "0"}});
+  const std::size_t columns = room.transfer().basis.columns();
+  const VertexRays rays = room.rays();
+  RayStream stream = room.task.rays(room.world);
+  TransferRows kept(room.transfer().basis, rays);
+  const auto vertices = std::span(room.transfer().vertex_of_slot);
+  for (std::uint32_t slot = 0; slot + 8 <= room.slots(); slot += 40) {
+    TransferRows fresh(room.transfer().basis, rays);
+    std::vector<float> expected(8 * columns), made(8 * columns), slices(harmonic_count * columns);
+    fresh.irradiance(vertices.subspan(slot, 8), stream, expected);
+    kept.irradiance(vertices.subspan(slot, 8), stream, made);
+    EXPECT_EQ(made, expected);
+    kept.with_harmonics(vertices[slot], stream, slices);
   }
 }
 
