@@ -10,7 +10,7 @@ all_links=$(own_files | grep -E '(^|/)CMakeLists\.txt$' | xargs -r grep -nE 'gib
 longest=400  # lines
 # The folders of common/ from the ground to the roof: each includes only itself and those before it.
 common_order=(core json image light_paths scene scene_io metrics reference reflectance ray geometry lighting effects
-  finite_elements method)
+  finite_elements method spaces)
 
 check_length() {
   local found
