@@ -8,16 +8,18 @@ namespace gibench::spectral {
 
 namespace {
 
-/// The sums of some functions over slots, eight rows side by side.
+/// The sums of some functions over slots, eight rows side by side. `weights`: of the first slot, `stride` from one to the next.
 template <std::size_t functions>
 std::array<Lanes, functions> sums_over(std::span<const std::uint32_t> slots, const SpectralBasis& basis,
-                                       const SpectralBasis::Part& part, std::size_t first, const float* at_slots,
+                                       const SpectralBasis::Part& part, std::size_t first, const float* weights,
                                        std::size_t stride) {
   std::array<Lanes, functions> sums{};
+  const float* const row_of_first = basis.row(part, part.begin).data() + first;
   for (const std::uint32_t slot : slots) {
-    const Lanes weights = load_numbers(at_slots + slot * stride);
-    const float* const values = basis.row(part, slot).data() + first;
-    for (std::size_t f = 0; f < functions; ++f) sums[f] += weights * all_lanes(values[f]);
+    const Lanes own = load_numbers(weights);
+    weights += stride;
+    const float* const values = row_of_first + std::size_t{slot - part.begin} * part.width;
+    for (std::size_t f = 0; f < functions; ++f) sums[f] += own * all_lanes(values[f]);
   }
   return sums;
 }
@@ -29,38 +31,39 @@ TransferRows::TransferRows(const SpectralBasis& basis, const VertexRays& rays)
 
 void TransferRows::begin(std::size_t rows) {
   rows_ = rows;
-  stride_ = chunk_count(rows, lane_count) * lane_count;
-  if (at_slots_.size() < basis_.slots() * stride_) at_slots_.resize(basis_.slots() * stride_, 0.0F);
+  if (at_slots_.size() < basis_.slots() * rows) at_slots_.resize(basis_.slots() * rows, 0.0F);
 }
 
-void TransferRows::nodal(std::uint32_t vertex, RayStream& rays, std::span<float> at_slots) {
+void TransferRows::nodal(std::uint32_t node, RayStream& rays, std::span<float> at_slots) {
   std::fill(at_slots.begin(), at_slots.end(), 0.0F);
-  rays_.trace(vertex, rays, [&](std::span<const MeshHit> hits) {
-    for (const MeshHit& hit : hits)
-      for (std::size_t c = 0; c < 3; ++c) at_slots[hit.slots[c]] += hit.weights[c];
+  rays_.trace(node, rays, [&](std::span<const MeshHit> hits) {
+    for (const MeshHit& hit : hits) rays_.each_slot(hit, [&](std::uint32_t slot, float weight) { at_slots[slot] += weight; });
   });
 }
 
-void TransferRows::irradiance(std::span<const std::uint32_t> vertices, RayStream& rays, std::span<float> rows) {
-  begin(vertices.size());
-  for (std::size_t row = 0; row < vertices.size(); ++row)
-    rays_.trace(vertices[row], rays, [&](std::span<const MeshHit> hits) {
+void TransferRows::irradiance(std::span<const std::uint32_t> nodes, RayStream& rays, std::span<float> rows) {
+  begin(nodes.size());
+  for (std::size_t row = 0; row < nodes.size(); ++row)
+    rays_.trace(nodes[row], rays, [&, at = at_slots(row)](std::span<const MeshHit> hits) {
       for (const MeshHit& hit : hits)
-        for (std::size_t c = 0; c < 3; ++c) touch(hit.slots[c])[row] += hit.weights[c];
+        rays_.each_slot(hit, [&](std::uint32_t slot, float weight) {
+          touch(slot);
+          at[slot] += weight;
+        });
     });
   project(rows);
 }
 
-void TransferRows::with_harmonics(std::uint32_t vertex, RayStream& rays, std::span<float> rows) {
+void TransferRows::with_harmonics(std::uint32_t node, RayStream& rays, std::span<float> rows) {
   begin(harmonic_count);
-  rays_.trace(vertex, rays, [&](std::span<const MeshHit> hits) {
+  rays_.trace(node, rays, [&](std::span<const MeshHit> hits) {
     for (const MeshHit& hit : hits) {
       Harmonics h = spherical_harmonics(hit.direction);
       h[0] = 1.0F;
-      for (std::size_t c = 0; c < 3; ++c) {
-        float* const at = touch(hit.slots[c]);
-        for (std::size_t k = 0; k < harmonic_count; ++k) at[k] += hit.weights[c] * h[k];
-      }
+      rays_.each_slot(hit, [&](std::uint32_t slot, float weight) {
+        touch(slot);
+        for (std::size_t k = 0; k < harmonic_count; ++k) at_slots(k)[slot] += weight * h[k];
+      });
     }
   });
   project(rows);
@@ -72,7 +75,6 @@ void TransferRows::project(std::span<float> rows) {
   const SpectralBasis::Part* part = nullptr;
   const auto end_part = [&] {
     if (part) project_part(*part, rows);
-    for (const std::uint32_t slot : slots_) std::fill_n(&at_slots_[slot * stride_], stride_, 0.0F);
     slots_.clear();
   };
   for (std::uint32_t word = 0; word < touched_.size(); ++word) {
@@ -89,20 +91,34 @@ void TransferRows::project(std::span<float> rows) {
   end_part();
 }
 
-void TransferRows::project_part(const SpectralBasis::Part& part, std::span<float> rows) const {
-  const std::size_t columns = basis_.columns();
+/// Those of the touched slots, which are zero then.
+void TransferRows::take_weights() {
+  const std::size_t stride = chunk_count(rows_, lane_count) * lane_count;
+  weights_.assign(slots_.size() * stride, 0.0F);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    float* const at = at_slots(row);
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+      weights_[i * stride + row] = at[slots_[i]];
+      at[slots_[i]] = 0.0F;
+    }
+  }
+}
+
+void TransferRows::project_part(const SpectralBasis::Part& part, std::span<float> rows) {
+  take_weights();
+  const std::size_t columns = basis_.columns(), stride = chunk_count(rows_, lane_count) * lane_count;
   const auto write = [&](std::size_t first_row, std::size_t function, const Lanes& sum) {
     for (std::size_t r = first_row; r < std::min(rows_, first_row + lane_count); ++r)
       rows[r * columns + part.column + function] = sum[r - first_row];
   };
   for (std::size_t row = 0; row < rows_; row += lane_count) {
-    const float* const at = at_slots_.data() + row;
+    const float* const weights = weights_.data() + row;
     if (part.width == 1) {
-      write(row, 0, sums_over<1>(slots_, basis_, part, 0, at, stride_).front());
+      write(row, 0, sums_over<1>(slots_, basis_, part, 0, weights, stride).front());
       continue;
     }
     for (std::size_t first = 0; first < part.functions; first += lane_count) {
-      const auto sums = sums_over<lane_count>(slots_, basis_, part, first, at, stride_);
+      const auto sums = sums_over<lane_count>(slots_, basis_, part, first, weights, stride);
       for (std::size_t f = 0; f < std::min<std::size_t>(lane_count, part.functions - first); ++f) write(row, first + f, sums[f]);
     }
   }

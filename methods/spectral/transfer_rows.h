@@ -1,4 +1,4 @@
-/// The transfer function of vertices projected onto the basis (Wang et al. 2007, Eq. 7 and 8), all functions in one pass.
+/// The transfer function of nodes projected onto the basis (Wang et al. 2007, Eq. 7 and 8), all functions in one pass.
 #pragma once
 
 #include <memory>
@@ -20,32 +20,31 @@ class TransferRows {
  public:
   TransferRows(const SpectralBasis& basis, const VertexRays& rays);
 
-  /// T^s(v, ℓ) for every column, a row for every vertex, eight at most: E = Σ_ℓ T^s L^s, W/m².
-  void irradiance(std::span<const std::uint32_t> vertices, RayStream& rays, std::span<float> rows);
-  void irradiance(std::uint32_t vertex, RayStream& rays, std::span<float> row) { irradiance({&vertex, 1}, rays, row); }
-  /// The same of one vertex and T_k^s(v, ℓ) for every harmonic k > 0, a row each behind the first; the slice of the constant
+  /// T^s(v, ℓ) for every column, a row for every node, eight at most: E = Σ_ℓ T^s L^s, W/m².
+  void irradiance(std::span<const std::uint32_t> nodes, RayStream& rays, std::span<float> rows);
+  void irradiance(std::uint32_t node, RayStream& rays, std::span<float> row) { irradiance({&node, 1}, rays, row); }
+  /// The same of one node and T_k^s(v, ℓ) for every harmonic k > 0, a row each behind the first; the slice of the constant
   /// harmonic is that number times the irradiance's.
-  void with_harmonics(std::uint32_t vertex, RayStream& rays, std::span<float> rows);
+  void with_harmonics(std::uint32_t node, RayStream& rays, std::span<float> rows);
 
   /// The weights at the slots, in place of their projection: nodal gathering through the same rays.
-  void nodal(std::uint32_t vertex, RayStream& rays, std::span<float> at_slots);
+  void nodal(std::uint32_t node, RayStream& rays, std::span<float> at_slots);
 
  private:
   void begin(std::size_t rows);
-  /// The numbers of a slot, one for every row.
-  float* touch(std::uint32_t slot) {
-    touched_[slot / 64] |= std::uint64_t{1} << slot % 64;
-    return &at_slots_[slot * stride_];
-  }
+  void touch(std::uint32_t slot) { touched_[slot / 64] |= std::uint64_t{1} << slot % 64; }
+  float* at_slots(std::size_t row) { return at_slots_.data() + row * basis_.slots(); }
   void project(std::span<float> rows);
-  void project_part(const SpectralBasis::Part& part, std::span<float> rows) const;
+  void take_weights();
+  void project_part(const SpectralBasis::Part& part, std::span<float> rows);
 
   const SpectralBasis& basis_;
   const VertexRays& rays_;
-  std::size_t rows_ = 0, stride_ = 0;   // rows of a call; numbers of a slot, a multiple of eight
-  std::vector<float> at_slots_;         // zero between two calls
+  std::size_t rows_ = 0;                // of a call
+  std::vector<float> at_slots_;         // row by row; zero between two calls
   std::vector<std::uint64_t> touched_;  // a bit for every slot, not set between two calls
   std::vector<std::uint32_t> slots_;    // touched ones of one part, ascending
+  std::vector<float> weights_;          // of those, slot by slot: of all rows, and zeros up to a multiple of eight
 };
 
 /// Makers of rows, of which each works for one thread at a time.

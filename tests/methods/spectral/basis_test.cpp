@@ -23,6 +23,7 @@ struct Based {
   Task task;
   SamplingMesh mesh;
   Interpolation interpolation;
+  Nodes nodes;
   SurfaceGraph graph;
   Partition partition;
   BasisMaking made;
@@ -30,8 +31,9 @@ struct Based {
   Based(Scene scene, double vertices, std::uint32_t part_vertices, std::uint32_t functions, Laplacian kind)
       : world(std::move(scene), 1),
         mesh(world, {edge_length_for(world, vertices)}),
-        interpolation(world, mesh, task),
-        graph(make_graph(mesh, interpolation)),
+        interpolation(world, mesh, 0.0F, task),
+        nodes(mesh),
+        graph(make_graph(mesh, interpolation, nodes)),
         partition(partition_mesh(graph, part_vertices)),
         made(make_basis(graph, partition, share_out(partition, functions), kind, task)) {}
   const SpectralBasis& basis() const { return made.basis; }
@@ -109,7 +111,7 @@ double spread_of_blocks(const SamplingMesh& mesh, const Partition& partition) {
 TEST(SpectralBasis, VerticesOfABlockAreCloseAndStayInTheirPart) {
   const Based based(square(1.0F), 3000, 333, 30, Laplacian::cotan);
   Partition partition = based.partition;
-  put_neighbours_together(based.mesh, block_rows, partition);
+  put_neighbours_together(based.nodes, block_rows, partition);
   for (std::size_t part = 0; part < partition.parts(); ++part) {
     std::vector<std::uint32_t> members(partition.order.begin() + partition.part_begin[part],
                                        partition.order.begin() + partition.part_begin[part + 1]);
@@ -124,7 +126,7 @@ TEST(SpectralBasis, VerticesOfABlockAreCloseAndStayInTheirPart) {
 TEST(SpectralBasis, OrderOfVerticesInAPartMovesTheFunctionsWithThem) {
   Based based(closed_room(), 900, 200, 60, Laplacian::cotan);
   Partition partition = based.partition;
-  put_neighbours_together(based.mesh, block_rows, partition);
+  put_neighbours_together(based.nodes, block_rows, partition);
   ASSERT_NE(partition.order, based.partition.order);
   const BasisMaking moved = make_basis(based.graph, partition, share_out(partition, 60), Laplacian::cotan, based.task);
   for (std::size_t p = 0; p < partition.parts(); ++p)
