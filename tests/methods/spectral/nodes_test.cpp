@@ -7,6 +7,7 @@
 
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
+#include "common/spaces/place_clusters.h"
 #include "methods/spectral/node_making.h"
 #include "methods/spectral/spectral.h"
 #include "rooms.h"
@@ -137,6 +138,22 @@ const SettingTexts thousand{{"vertices", "1000"}, {"basis_functions", "300"}, {"
 // Each answer has the noise of its own 512 rays: light of one radiance over most of the hemisphere, and what varies of it by less
 // than its mean, σ < 1 / √512 = 4.4% unstratified, 6.2% of two such answers.
 constexpr double noise_of_two = 0.062;
+
+TEST(SpectralNodes, ClustersOfLooseTrianglesHaveTheirOwnPlacesAndAllOfThem) {
+  std::vector<Place> places;
+  RandomStream random(8, 9, 10);
+  const auto vector = [&] { return Vec3(random.next_float(), random.next_float(), random.next_float()); };
+  for (int i = 0; i < 4000; ++i) places.push_back({vector(), glm::normalize(vector() - Vec3(0.5F)), 1e-4F, 0});
+  for (const std::size_t most : {100U, 700U, 2000U}) {
+    Task task;
+    const std::vector<std::uint32_t> cluster = cluster_places(places, {most, 0.7F}, task);
+    const std::size_t count = cluster_count(cluster);
+    std::vector<std::size_t> members(count, 0);
+    for (const std::uint32_t own : cluster) ++members[own];
+    EXPECT_LE(count, most);
+    EXPECT_EQ(std::count(members.begin(), members.end(), 0U), 0) << most;
+  }
+}
 
 TEST(SpectralNodes, AFinelyTessellatedBoxAnswersAsTheCoarseOne) {
   const std::vector<Vec3> places = places_on_walls();
