@@ -71,7 +71,7 @@ void transfer_rows(benchmark::State& state) {
   const std::vector<Ray> gathers = cosine_rays(world, {.count = 1U << 19, .rays_per_point = static_cast<std::size_t>(rays)});
   const std::vector<Ray> segments = cosine_rays(world, {.count = 1U << 16, .length = 0.3F, .seed = 2});
   const Transfer& transfer = made.transfer;
-  const VertexRays traced(world, *transfer.mesh, transfer.interpolation, transfer.slot_of_vertex, rays, 1);
+  const VertexRays traced = rays_of(world, transfer, rays, 1);
   time_against_bare(state, bare, gathers, segments, threads, [&] {
     Task task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}});
     const double start = process_seconds();
@@ -80,7 +80,7 @@ void transfer_rows(benchmark::State& state) {
       TransferRows rows(transfer.basis, traced);
       std::vector<float> row(block_rows * transfer.basis.columns());
       const std::size_t first = range.chunk * transfer.basis.slots() / blocks;
-      rows.irradiance(std::span(transfer.vertex_of_slot).subspan(first, block_rows), stream, row);
+      rows.irradiance(std::span(transfer.node_of_slot).subspan(first, block_rows), stream, row);
       benchmark::DoNotOptimize(row.data());
     });
     return Work{process_seconds() - start, task.counters()};
@@ -105,8 +105,8 @@ std::vector<Rgb4> relit_room(const World& world, const Transfer& transfer, Task&
   const DirectLight light(world, Lighting::of(world.scene()));
   const std::vector<Rgb4> direct = direct_irradiance(world, transfer, light, settings({{"direct_samples", "64"}}), task);
   std::vector<Rgb4> reflectance;
-  for (const std::uint32_t vertex : transfer.vertex_of_slot)
-    reflectance.emplace_back(world.scene().material_of_object(transfer.mesh->vertices()[vertex].object).diffuse / pi);
+  for (const std::uint32_t node : transfer.node_of_slot)
+    reflectance.emplace_back(world.scene().material_of_object(transfer.nodes[node].object).diffuse / pi);
   return relight(transfer, direct, reflectance, {}, task).irradiance;
 }
 
@@ -190,7 +190,7 @@ const Room& room(std::int64_t thousandths) {
 
 void count_room(benchmark::State& state, const Room& room) {
   state.counters["vertices"] = static_cast<double>(room.direct.size());
-  state.counters["functions"] = static_cast<double>(room.made.transfer.basis.functions());
+  state.counters["functions"] = static_cast<double>(room.made.transfer.basis.columns());
   state.counters["coefficients_per_vertex"] =
       static_cast<double>(room.matrix().coefficients()) / static_cast<double>(room.direct.size());
   state.counters["matrix_bytes"] = static_cast<double>(room.matrix().bytes());

@@ -45,6 +45,7 @@ class ObjectCutter {
     for (const Patch& patch : patches_) {
       const std::size_t before = result_.faces.size();
       if (patch.corners.is_quad()) cut_quad(patch);
+      else if (stays_whole(patch)) result_.faces.push_back(patch.corners);
       else cut_triangle(side(patch, 0), side(patch, 1), side(patch, 2));
       result_.first_triangle.resize(result_.faces.size(), patch.first_triangle);
       result_.triangle_count.resize(result_.faces.size(), patch.corners.is_quad() ? 2 : 1);
@@ -129,9 +130,18 @@ class ObjectCutter {
     }
   }
 
+  /// A triangle none of whose sides is cut; where there are quads, these may cut sides that are short enough.
+  bool stays_whole(const Patch& patch) {
+    if (has_quads_ || patch.corners.is_quad()) return false;
+    const auto& [a, b, c, d] = patch.corners.corners;
+    return pieces_of(length(a, b)) == 1 && pieces_of(length(b, c)) == 1 && pieces_of(length(c, a)) == 1;
+  }
+
   /// Sides are cut into as many pieces as their length asks for, and opposite sides of quads into as many as the longer.
   void count_pieces() {
+    has_quads_ = std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.corners.is_quad(); });
     for (const Patch& patch : patches_) {
+      if (stays_whole(patch)) continue;
       const std::size_t corners = patch.corners.is_quad() ? 4 : 3;
       std::array<std::uint32_t, 4> sides{};
       for (std::size_t i = 0; i < corners; ++i)
@@ -263,6 +273,7 @@ class ObjectCutter {
   SubdividedObject result_;
   std::vector<std::uint32_t> corner_point_;  // of every vertex of the object
   std::vector<Patch> patches_;
+  bool has_quads_ = false;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> pieces_, parent_;  // of every edge
   std::unordered_map<std::uint64_t, std::uint32_t> edge_index_;

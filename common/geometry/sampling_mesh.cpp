@@ -33,12 +33,33 @@ struct Barycentrics {
   glm::dvec2 of(const Vec3d& point) const { return {glm::dot(point - origin, dual_u), glm::dot(point - origin, dual_v)}; }
 };
 
+/// One triangle or two.
+struct Halves {
+  std::array<std::array<std::uint32_t, 3>, 2> triangles;
+  std::size_t count;
+  const auto* begin() const { return triangles.data(); }
+  const auto* end() const { return triangles.data() + count; }
+  const auto& operator[](std::size_t i) const { return triangles[i]; }
+};
+
 /// The triangles of a face; quads of a grid are halved along alternating diagonals.
-std::vector<std::array<std::uint32_t, 3>> halves(const Face& face, bool other_diagonal) {
+Halves halves(const Face& face, bool other_diagonal) {
   const auto& [a, b, c, d] = face.corners;
-  if (!face.is_quad()) return {{a, b, c}};
-  if (other_diagonal) return {{a, b, d}, {b, c, d}};
-  return {{a, b, c}, {a, c, d}};
+  if (!face.is_quad()) return {{{{a, b, c}}}, 1};
+  if (other_diagonal) return {{{{a, b, d}, {b, c, d}}}, 2};
+  return {{{{a, b, c}, {a, c, d}}}, 2};
+}
+
+/// Numbers of items by group: those of group g are items[begin[g]] … items[begin[g + 1] − 1], ascending.
+template <class GroupsOf>
+void group(std::size_t groups, std::size_t items, const GroupsOf& each_group_of, std::vector<std::uint32_t>& begin,
+           std::vector<std::uint32_t>& grouped) {
+  begin.assign(groups + 1, 0);
+  for (std::uint32_t i = 0; i < items; ++i) each_group_of(i, [&](std::uint32_t g) { ++begin[g + 1]; });
+  for (std::size_t g = 0; g < groups; ++g) begin[g + 1] += begin[g];
+  grouped.resize(begin.back());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t i = 0; i < items; ++i) each_group_of(i, [&](std::uint32_t g) { grouped[next[g]++] = i; });
 }
 
 }  // namespace
@@ -52,17 +73,29 @@ class SamplingMesh::Maker {
     const Scene& scene = world_.scene();
     const float weld = weld_tolerance(scene.vertices);
     mesh_.back_offset_.assign(scene.triangles.size(), 0);
-    subfaces_.resize(scene.triangles.size());
     for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
       subdivided_ = subdivide_object(world_, object, options_.edge_length, weld);
       if (!options_.keep_quads) halve_quads();
       add_object(object);
     }
-    for (const std::vector<Subface>& covering : subfaces_) mesh_.lookup_.add(covering);
+    add_subfaces(scene.triangles.size());
   }
 
  private:
+  void add_subfaces(std::size_t scene_triangles) {
+    std::vector<std::uint32_t> begin, order;
+    group(
+        scene_triangles, subfaces_.size(), [&](std::uint32_t i, const auto& to) { to(covered_[i]); }, begin, order);
+    std::vector<Subface> covering;
+    for (std::size_t t = 0; t < scene_triangles; ++t) {
+      covering.clear();
+      for (std::uint32_t i = begin[t]; i < begin[t + 1]; ++i) covering.push_back(subfaces_[order[i]]);
+      mesh_.lookup_.add(covering);
+    }
+  }
+
   void halve_quads() {
+    if (std::none_of(subdivided_.faces.begin(), subdivided_.faces.end(), [](const Face& face) { return face.is_quad(); })) return;
     SubdividedObject halved;
     halved.points = std::move(subdivided_.points);
     for (std::size_t f = 0; f < subdivided_.faces.size(); ++f)
@@ -131,7 +164,7 @@ class SamplingMesh::Maker {
                             static_cast<float>(area),
                             front});
     const auto of_points = halves(points, f % 2 == 1), of_vertices = halves(own, f % 2 == 1);
-    for (std::size_t i = 0; i < of_points.size(); ++i) {
+    for (std::size_t i = 0; i < of_points.count; ++i) {
       const auto triangle = static_cast<std::uint32_t>(mesh_.triangles_.size());
       const auto& [a, b, c] = of_vertices[i];
       mesh_.triangles_.push_back({{base + a, base + b, base + c}, face});
@@ -147,7 +180,8 @@ class SamplingMesh::Maker {
       Subface subface{};
       for (std::size_t i = 0; i < 3; ++i) subface.corners[i] = Vec2(barycentrics.of(subdivided_.points[points[i]]));
       subface.triangle = triangle;
-      subfaces_[t].push_back(subface);
+      subfaces_.push_back(subface);
+      covered_.push_back(t);
     }
   }
 
@@ -157,7 +191,8 @@ class SamplingMesh::Maker {
   SubdividedObject subdivided_;
   std::vector<double> areas_;   // of the sheet's vertices
   std::vector<Vec3d> normals_;  // times area
-  std::vector<std::vector<Subface>> subfaces_;
+  std::vector<Subface> subfaces_;
+  std::vector<std::uint32_t> covered_;  // by each subface: the scene triangle
 };
 
 /// Where the vertices are looked at from.
@@ -169,26 +204,29 @@ class SamplingMesh::SitePlacer {
   void place() {
     mesh_.sites_.clear();
     mesh_.site_begin_.clear();
-    std::vector<std::vector<std::uint32_t>> around(mesh_.vertices_.size());
-    for (std::uint32_t t = 0; t < mesh_.triangles_.size(); ++t)
-      for (const std::uint32_t corner : mesh_.triangles_[t].corners) around[corner].push_back(t);
+    std::vector<std::uint32_t> begin, around;
+    group(
+        mesh_.vertices_.size(), mesh_.triangles_.size(),
+        [&](std::uint32_t t, const auto& to) { std::for_each_n(mesh_.triangles_[t].corners.begin(), 3, to); }, begin, around);
     mesh_.site_begin_.push_back(0);
-    for (std::uint32_t vertex = 0; vertex < around.size(); ++vertex) {
-      place_around(vertex, around[vertex]);
+    for (std::uint32_t vertex = 0; vertex < mesh_.vertices_.size(); ++vertex) {
+      place_around(vertex, std::span(around).subspan(begin[vertex], begin[vertex + 1] - begin[vertex]));
       mesh_.site_begin_.push_back(static_cast<std::uint32_t>(mesh_.sites_.size()));
     }
   }
 
  private:
+  struct Plane {
+    Vec3 normal;
+    std::uint32_t largest;
+    double largest_area, area;
+    bool avoided;
+  };
+
   /// Triangles around a vertex by the plane they lie in: the largest of each takes the site, of those not avoided if any.
-  void place_around(std::uint32_t vertex, const std::vector<std::uint32_t>& around) {
-    struct Plane {
-      Vec3 normal;
-      std::uint32_t largest;
-      double largest_area, area;
-      bool avoided;
-    };
-    std::vector<Plane> planes;
+  void place_around(std::uint32_t vertex, std::span<const std::uint32_t> around) {
+    std::vector<Plane>& planes = planes_;
+    planes.clear();
     double total = 0.0;
     for (const std::uint32_t t : around) {
       const Vec3& normal = world_.normal(mesh_.faces_[mesh_.triangles_[t].face].scene_triangle);
@@ -241,6 +279,7 @@ class SamplingMesh::SitePlacer {
   SamplingMesh& mesh_;
   const World& world_;
   std::span<const std::uint8_t> avoided_;
+  std::vector<Plane> planes_;  // around a vertex
 };
 
 SamplingMesh::SamplingMesh(const World& world, const SamplingMeshOptions& options) {

@@ -105,9 +105,10 @@ class TreeCut {
     const PlaceNode& whole = tree_.nodes()[node];
     const std::span<std::uint32_t> members = std::span(members_).subspan(whole.begin, whole.end - whole.begin);
     visits_ += members.size();
-    if (strictness == Strictness::none) return each(members);
-    // From the tree's order each time, so that parts do not depend on the cuts before.
+    // From the tree's order each time: the cuts before may have parted a larger node, and moved members from one end of it to the
+    // other.
     std::copy_n(tree_.order().begin() + whole.begin, members.size(), members.begin());
+    if (strictness == Strictness::none) return each(members);
     part_members(members, cosines_[static_cast<std::size_t>(strictness)], each);
   }
 

@@ -24,9 +24,21 @@ void add_tile(const float* functions, std::size_t width, std::span<const Rgb4> v
   std::copy_n(sum.begin(), count, sums);
 }
 
+/// Floats that a slot has of a part with so many functions.
+std::uint32_t width_for(std::uint32_t functions) {
+  return functions == 1 ? 1 : static_cast<std::uint32_t>(chunk_count(functions, lane_count) * lane_count);
+}
+
 /// Σ wᵢ s_ℓ(i) value(i) over the slots of a part, for every column of it.
 template <class ValueAt>
 void project_part(const SpectralBasis& basis, const SpectralBasis::Part& part, const ValueAt& value_at, std::span<Rgb4> columns) {
+  if (part.width == 1) {
+    Rgb sum;
+    for (std::uint32_t slot = part.begin; slot < part.end; ++slot)
+      sum += value_at(slot) * (basis.weight()[slot] * basis.row(part, slot).front());
+    columns.front() = sum;
+    return;
+  }
   std::vector<ColourLanes> sums(part.width / lane_count);
   std::array<Rgb4, tile> weighted;
   for (std::uint32_t begin = part.begin; begin < part.end; begin += tile) {
@@ -38,7 +50,11 @@ void project_part(const SpectralBasis& basis, const SpectralBasis::Part& part, c
     for (; done + 4 <= sums.size(); done += 4) add_tile<4>(functions + done * lane_count, part.width, values, &sums[done]);
     for (; done < sums.size(); ++done) add_tile<1>(functions + done * lane_count, part.width, values, &sums[done]);
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) store(sums[i], &columns[i * lane_count]);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    std::array<Rgb4, lane_count> stored;
+    store(sums[i], stored.data());
+    std::copy_n(stored.begin(), std::min(lane_count, columns.size() - i * lane_count), &columns[i * lane_count]);
+  }
 }
 
 }  // namespace
@@ -49,27 +65,16 @@ SpectralBasis::SpectralBasis(const Partition& partition, std::span<const std::ui
   std::uint32_t columns = 0;
   for (std::size_t p = 0; p < partition.parts(); ++p) {
     const std::uint32_t begin = partition.part_begin[p], end = partition.part_begin[p + 1], width = width_for(functions[p]);
-    parts_.push_back({begin, end, columns, width, functions[p], values});
+    parts_.push_back({begin, end, columns, functions[p], width, values});
     std::fill(part_of_slot_.begin() + begin, part_of_slot_.begin() + end, static_cast<std::uint16_t>(p));
-    columns += width;
+    columns += functions[p];
     values += std::size_t{width} * partition.part_size(p);
   }
   values_.assign(values, 0.0F);
 }
 
-std::uint32_t SpectralBasis::width_for(std::uint32_t functions) {
-  return static_cast<std::uint32_t>(chunk_count(functions, lane_count) * lane_count);
-}
-
 std::uint64_t SpectralBasis::columns_for(std::span<const std::uint32_t> functions) {
-  std::uint64_t columns = 0;
-  for (const std::uint32_t count : functions) columns += width_for(count);
-  return columns;
-}
-
-std::uint32_t SpectralBasis::functions() const {
-  return std::accumulate(parts_.begin(), parts_.end(), 0U,
-                         [](std::uint32_t sum, const Part& part) { return sum + part.functions; });
+  return std::accumulate(functions.begin(), functions.end(), std::uint64_t{0});
 }
 
 std::vector<float> SpectralBasis::constant() const {
@@ -87,7 +92,7 @@ void SpectralBasis::project(std::span<const Rgb4> values, std::span<Rgb4> coeffi
   task.parallel_chunks(parts_.size(), 1, [&](const ChunkRange& range) {
     const Part& part = parts_[range.begin];
     project_part(
-        *this, part, [&](std::uint32_t slot) { return Rgb(values[slot]); }, coefficients.subspan(part.column, part.width));
+        *this, part, [&](std::uint32_t slot) { return Rgb(values[slot]); }, coefficients.subspan(part.column, part.functions));
   });
 }
 
@@ -97,7 +102,7 @@ void SpectralBasis::project_reflected(std::span<const Rgb4> reflectance, std::sp
     const Part& part = parts_[range.begin];
     project_part(
         *this, part, [&](std::uint32_t slot) { return Rgb(reflectance[slot]) * (Rgb(direct[slot]) + Rgb(indirect[slot])); },
-        coefficients.subspan(part.column, part.width));
+        coefficients.subspan(part.column, part.functions));
   });
 }
 

@@ -14,21 +14,19 @@ namespace gibench::spectral {
 /// Values at vertices are kept in slots: the mesh's vertices in the order of the partition.
 class SpectralBasis {
  public:
-  /// A part's slots and its columns: the functions, and zeros up to a multiple of eight.
+  /// A part's slots and its columns, one for every function.
   struct Part {
     std::uint32_t begin = 0, end = 0;  ///< slots
     std::uint32_t column = 0;          ///< the first
-    std::uint32_t width = 0;           ///< columns
-    std::uint32_t functions = 0;       ///< that are not padding
-    std::size_t values = 0;            ///< offset of the first slot's row, `width` floats a slot
+    std::uint32_t functions = 0;
+    std::uint32_t width = 0;  ///< floats a slot: the functions, and zeros up to a multiple of eight where there are several
+    std::size_t values = 0;   ///< offset of the first slot's row
   };
 
   /// Room for so many functions of each part, all of them zero as yet.
   SpectralBasis(const Partition& partition, std::span<const std::uint32_t> functions);
   SpectralBasis() = default;
 
-  /// Columns that a part with so many functions has.
-  static std::uint32_t width_for(std::uint32_t functions);
   /// Columns of all parts with so many functions each.
   static std::uint64_t columns_for(std::span<const std::uint32_t> functions);
   /// The functions at a slot, to be written, and the slot's weight.
@@ -38,11 +36,10 @@ class SpectralBasis {
   void set_weight(std::uint32_t slot, float weight) { weight_[slot] = weight; }
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(weight_.size()); }
-  std::uint32_t columns() const { return parts_.empty() ? 0 : parts_.back().column + parts_.back().width; }
-  std::uint32_t functions() const;
+  std::uint32_t columns() const { return parts_.empty() ? 0 : parts_.back().column + parts_.back().functions; }
   const std::vector<Part>& parts() const { return parts_; }
   const Part& part_of(std::uint32_t slot) const { return parts_[part_of_slot_[slot]]; }
-  /// s_ℓ at a slot, for the columns of its part.
+  /// s_ℓ at a slot, for the columns of its part, and zeros up to its width.
   std::span<const float> row(const Part& part, std::uint32_t slot) const {
     return std::span(values_).subspan(row_begin(part, slot), part.width);
   }

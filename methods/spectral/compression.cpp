@@ -32,7 +32,7 @@ std::vector<float> spread_of_columns(const SpectralBasis& basis, const std::vect
     double sum = 0.0;
     for (std::uint32_t slot = part.begin; slot < part.end; ++slot) sum += static_cast<double>(basis.weight()[slot]);
     part_weight.push_back(sum);
-    if (usual.size() < part.width) usual.resize(part.width, 0.0), weights.resize(part.width, 0.0);
+    if (usual.size() < part.functions) usual.resize(part.functions, 0.0), weights.resize(part.functions, 0.0);
     for (std::uint32_t order = 0; order < part.functions; ++order) {
       weights[order] += sum;
       usual[order] += own[part.column + order];
@@ -46,7 +46,7 @@ std::vector<float> spread_of_columns(const SpectralBasis& basis, const std::vect
   std::vector<float> spread(basis.columns(), 1.0F);
   for (std::size_t p = 0; p < basis.parts().size(); ++p) {
     const SpectralBasis::Part& part = basis.parts()[p];
-    for (std::uint32_t order = 0; order < part.width; ++order) {
+    for (std::uint32_t order = 0; order < part.functions; ++order) {
       const double by_order = std::max({usual[order], least_spread * largest, 1e-30}) * std::sqrt(part_weight[p]);
       spread[part.column + order] = static_cast<float>(std::max(by_order, std::sqrt(own[part.column + order])));
     }

@@ -36,18 +36,34 @@ struct Lifted {
 
 }  // namespace
 
-Interpolation::Interpolation(const World& world, SamplingMesh& mesh, Task& task) : cut_edges_(mesh.triangles().size(), 0) {
+Interpolation::Interpolation(const World& world, SamplingMesh& mesh, float smallest, Task& task)
+    : cut_edges_(mesh.triangles().size(), 0) {
+  if (smallest > 0.0F) leave_out_small(mesh, smallest);
   cut_edges(world, mesh, task);
   if (task.cancelled()) return;
-  mesh.place_sites(world, cut_edges_);
+  const auto was_left_out = [](std::uint8_t marks) { return marks == left_out; };
+  std::vector<std::uint8_t> avoided = cut_edges_;
+  std::replace_if(avoided.begin(), avoided.end(), was_left_out, std::uint8_t{0});
+  mesh.place_sites(world, avoided);
   find_sites(world, mesh);
   find_hidden_sites(world, mesh, task);
+  std::replace_if(cut_edges_.begin(), cut_edges_.end(), was_left_out, std::uint8_t{0});
+}
+
+void Interpolation::leave_out_small(const SamplingMesh& mesh, float smallest) {
+  const auto corner = [&](std::size_t t, std::size_t i) { return mesh.vertices()[mesh.triangles()[t].corners[i]].position; };
+  for (std::size_t t = 0; t < cut_edges_.size(); ++t) {
+    const float longest = std::max({glm::length(corner(t, 1) - corner(t, 0)), glm::length(corner(t, 2) - corner(t, 1)),
+                                    glm::length(corner(t, 0) - corner(t, 2))});
+    if (longest < smallest) cut_edges_[t] = left_out;
+  }
 }
 
 void Interpolation::cut_edges(const World& world, const SamplingMesh& mesh, Task& task) {
   task.parallel_chunks(cut_edges_.size(), triangle_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
     for (std::size_t t = range.begin; t < range.end; ++t) {
+      if (cut_edges_[t] == left_out) continue;
       const Lifted lifted(world, mesh, static_cast<std::uint32_t>(t));
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Vec3 &from = lifted.corners[i], &to = lifted.corners[(i + 1) % 3];
@@ -70,6 +86,7 @@ void Interpolation::find_hidden_sites(const World& world, const SamplingMesh& me
     RayStream rays = task.rays(world);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto t = static_cast<std::uint32_t>(i);
+      if (torn(t)) continue;
       const Lifted lifted(world, mesh, t);
       for (std::size_t c = 0; c < 3 && !torn(t); ++c) {
         const Vec3 &from = lifted.corners[c], to = site(mesh, t, c, from, lifted.up);

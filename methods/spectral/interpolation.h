@@ -18,8 +18,8 @@ class Interpolation {
   explicit Interpolation(const SamplingMesh& mesh) : cut_edges_(mesh.triangles().size(), 0) {}
   /// Occlusion rays in every mesh triangle, just above it: three along its edges, three into its corners, and from those to where
   /// their vertices are looked at from. Vertices beside a surface that cuts triangles around them get their sites in those that
-  /// it does not cut.
-  Interpolation(const World& world, SamplingMesh& mesh, Task& task);
+  /// it does not cut. Triangles without an edge of `smallest` metres are taken to be whole.
+  Interpolation(const World& world, SamplingMesh& mesh, float smallest, Task& task);
 
   /// Whether the edge from corner `i` to the next is cut by a surface.
   bool edge_cut(std::uint32_t triangle, std::uint32_t i) const { return ((cut_edges_[triangle] >> i) & 1U) != 0; }
@@ -33,7 +33,9 @@ class Interpolation {
 
  private:
   static constexpr std::uint8_t hidden_site = 1U << 3U;  ///< no edge is cut, but a corner is cut off, or its site lies beyond
+  static constexpr std::uint8_t left_out = 1U << 4U;     ///< while it is made: not looked at
 
+  void leave_out_small(const SamplingMesh& mesh, float smallest);
   void cut_edges(const World& world, const SamplingMesh& mesh, Task& task);
   void find_sites(const World& world, const SamplingMesh& mesh);
   void find_hidden_sites(const World& world, const SamplingMesh& mesh, Task& task);

@@ -9,7 +9,11 @@ namespace {
 const ParameterTable<Settings>& table() {
   static const ParameterTable<Settings> made{
       parameter("vertices", &Settings::vertices, 1, 4e6,
-                "vertices wanted in the sampling mesh: large faces are cut; a finer scene keeps its own"),
+                "vertices wanted in the sampling mesh: large faces are cut, and what is finer comes together in clusters"),
+      parameter(
+          "nodes", &Settings::nodes, {{"clusters", NodeKind::clusters}, {"vertices", NodeKind::vertices}},
+          "a mesh of many more vertices is held in clusters of them, small loose pieces are joined; or every vertex and every "
+          "piece by itself (the paper)"),
       parameter("crease_degrees", &Settings::crease_degrees, 0.0, 180.0,
                 "largest angle between faces that share a vertex, degrees"),
       parameter("part_vertices", &Settings::part_vertices, 1, 1e6, "vertices of a submesh, about"),
@@ -46,6 +50,7 @@ std::vector<Preset> presets() {
            "the text's algorithm and constants: plain graph Laplacian, 16 bits that round small values away, 128 x 128 rays",
            {{"laplacian", "graph"},
             {"vertices", "30000"},
+            {"nodes", "vertices"},
             {"part_vertices", "1000"},
             {"basis_functions", "1024"},
             {"rays", "16384"},

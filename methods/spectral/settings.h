@@ -11,6 +11,11 @@ enum class Laplacian {
   cotan,  ///< cotangent weights, orthonormal by area
   graph,  ///< the paper's: 1 and -1/valence, orthonormal by valence
 };
+/// What holds light where the scene's own mesh is finer than asked for.
+enum class NodeKind {
+  clusters,  ///< clusters of vertices, down to `vertices`; small loose pieces are joined to their neighbours
+  vertices,  ///< the paper's: every vertex of the mesh, every piece by itself
+};
 /// What the transfer matrix holds.
 enum class Mode {
   bounces,       ///< T^s: one bounce; the albedos enter at run time
@@ -30,6 +35,7 @@ enum class DirectAnswer {
 struct Settings {
   // Sampling mesh.
   int vertices = 8000;  ///< wanted; sets the longest edge
+  NodeKind nodes = NodeKind::clusters;
   double crease_degrees = 40.0;
   // Basis (section 3.1 and 3.3).
   int part_vertices = 1000;

@@ -7,12 +7,12 @@
 
 namespace gibench::spectral {
 
-void put_neighbours_together(const SamplingMesh& mesh, std::size_t block, Partition& partition) {
-  const auto position_of = [&](std::uint32_t vertex) { return mesh.vertices()[vertex].position; };
+void put_neighbours_together(const Nodes& nodes, std::size_t block, Partition& partition) {
+  const auto position_of = [&](std::uint32_t node) { return nodes[node].position; };
   const auto before = [&](int axis, std::uint32_t a, std::uint32_t b) {
-    const auto key = [&](std::uint32_t vertex) {
-      const Vec3& p = mesh.vertices()[vertex].position;
-      return std::tuple(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3], vertex);
+    const auto key = [&](std::uint32_t node) {
+      const Vec3& p = nodes[node].position;
+      return std::tuple(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3], node);
     };
     return key(a) < key(b);
   };

@@ -97,8 +97,8 @@ class Spectral : public TransportMethod {
     if (simulates_indirect()) {
       task.progress("direct light", 0.5);
       std::vector<Rgb4> reflectance;
-      for (const std::uint32_t vertex : transfer_.vertex_of_slot)
-        reflectance.push_back(reflectance_of(transfer_.mesh->vertices()[vertex].object));
+      for (std::uint32_t slot = 0; slot < direct_.size(); ++slot)
+        reflectance.push_back(reflectance_of(transfer_.node_at(slot).object));
       relit_ = relight(transfer_, direct_, reflectance, {plan_.max_bounces, settings_.bounces, settings_.residual}, task);
       report.termination = relit_.termination;
       report.message = relit_.message;
@@ -193,14 +193,18 @@ class Spectral : public TransportMethod {
     return transfer_.interpolation.seen(*world_, *transfer_.mesh, point, sample.position, rays);
   }
 
-  std::uint32_t slot(const MeshPoint& point, std::size_t corner) const {
-    return transfer_.slot_of_vertex[transfer_.mesh->triangles()[point.triangle].corners[corner]];
+  /// Calls add(slot, weight) for the nodes around a point.
+  template <class Add>
+  void each_slot(const MeshPoint& point, const Add& add) const {
+    for (std::size_t c = 0; c < 3; ++c)
+      transfer_.weights.each(transfer_.mesh->triangles()[point.triangle].corners[c],
+                             [&](std::uint32_t slot, float weight) { add(slot, point.weights[c] * weight); });
   }
 
   Rgb between(const std::vector<Rgb4>& values, const std::optional<MeshPoint>& point) const {
     if (values.empty() || !point) return {};
     Rgb sum;
-    for (std::size_t c = 0; c < 3; ++c) sum += Rgb(values[slot(*point, c)]) * point->weights[c];
+    each_slot(*point, [&](std::uint32_t slot, float weight) { sum += Rgb(values[slot]) * weight; });
     return sum;
   }
   /// A truncated basis may ring below zero, which no irradiance does.
@@ -215,10 +219,10 @@ class Spectral : public TransportMethod {
     if (!point || relit_.harmonics.empty() || lobes_.empty() || !lobes_[material]) return {};
     const RgbHarmonics lobe = lobes_[material]->coefficients(sample.normal, toward_viewer);
     Rgb sum;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const RgbHarmonics& arriving = relit_.harmonics[transfer_.glossy_row[slot(*point, c)]];
-      for (std::size_t k = 0; k < harmonic_count; ++k) sum += lobe[k] * arriving[k] * point->weights[c];
-    }
+    each_slot(*point, [&](std::uint32_t slot, float weight) {
+      const RgbHarmonics& arriving = relit_.harmonics[transfer_.glossy_row[slot]];
+      for (std::size_t k = 0; k < harmonic_count; ++k) sum += lobe[k] * arriving[k] * weight;
+    });
     return sum;
   }
 

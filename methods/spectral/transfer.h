@@ -7,6 +7,7 @@
 
 #include "methods/spectral/basis.h"
 #include "methods/spectral/interpolation.h"
+#include "methods/spectral/node_weights.h"
 #include "methods/spectral/transfer_matrix.h"
 #include "methods/spectral/vertex_rays.h"
 
@@ -17,7 +18,9 @@ struct Transfer {
 
   std::unique_ptr<SamplingMesh> mesh;  ///< empty: nothing was called for
   Interpolation interpolation;
-  std::vector<std::uint32_t> vertex_of_slot, slot_of_vertex;
+  Nodes nodes;
+  std::vector<std::uint32_t> node_of_slot;
+  NodeWeights weights;  ///< of the slots, by vertex of the mesh
   SpectralBasis basis;
   TransferMatrix one_bounce;                    ///< T^s, one row for each slot
   std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one per channel
@@ -26,11 +29,11 @@ struct Transfer {
   std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row
   std::vector<TransferMatrix> harmonic_slices;  ///< T_k^s, k = 1…15; that of the constant harmonic is T^s times it
 
-  double area_of(std::size_t slot) const;  ///< m²
+  const Node& node_at(std::size_t slot) const { return nodes[node_of_slot[slot]]; }
   std::size_t bytes() const;
 };
 
-/// The rays of the transfer's vertices.
+/// The rays of the transfer's nodes. It must stay where it is.
 VertexRays rays_of(const World& world, const Transfer& transfer, int rays, std::uint64_t seed);
 
 }  // namespace gibench::spectral

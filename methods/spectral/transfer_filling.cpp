@@ -14,7 +14,7 @@ constexpr std::size_t rows_a_report = 256 * block_rows;  // vertices between two
 class Filling {
  public:
   Filling(const World& world, const VertexRays& rays, Transfer& transfer, Task& task)
-      : world_(world), rays_(rays), transfer_(transfer), task_(task) {}
+      : world_(world), transfer_(transfer), task_(task), makers_(transfer.basis, rays) {}
 
   /// All rows, section by section; the blocks of each are made in parallel and appended in order.
   void fill() {
@@ -27,7 +27,7 @@ class Filling {
   }
 
  private:
-  /// A block of the matrix, and one of every slice if any of its vertices is glossy.
+  /// A block of the matrix, and one of every slice if any of its nodes is glossy.
   struct Made {
     TransferMatrix::Section irradiance;
     std::vector<TransferMatrix::Section> slices;
@@ -36,7 +36,9 @@ class Filling {
   void fill_section(std::size_t begin, std::size_t end) {
     std::vector<std::unique_ptr<Made>> made(chunk_count(end - begin, block_rows));
     task_.parallel_chunks(end - begin, block_rows, [&](const ChunkRange& range) {
-      made[range.chunk] = std::make_unique<Made>(make_block(begin + range.begin, begin + range.end));
+      makers_.use([&](TransferRows& maker) {
+        made[range.chunk] = std::make_unique<Made>(make_block(begin + range.begin, begin + range.end, maker));
+      });
     });
     for (const auto& block : made) {
       if (!block) continue;  // cancelled
@@ -45,17 +47,16 @@ class Filling {
     }
   }
 
-  Made make_block(std::size_t begin, std::size_t end) {
+  Made make_block(std::size_t begin, std::size_t end, TransferRows& maker) {
     const std::size_t columns = transfer_.basis.columns(), slices = transfer_.harmonic_slices.size();
     RayStream stream = task_.rays(world_);
-    TransferRows maker(transfer_.basis, rays_);
-    const std::span vertices = std::span(transfer_.vertex_of_slot).subspan(begin, end - begin);
+    const std::span nodes = std::span(transfer_.node_of_slot).subspan(begin, end - begin);
     const std::span glossy_rows = std::span(transfer_.glossy_row).subspan(begin, end - begin);
     std::vector<std::vector<float>> rows(1 + slices);  // of the irradiance and of every slice, one behind the other
-    rows.front().resize(vertices.size() * columns);
+    rows.front().resize(nodes.size() * columns);
     if (std::all_of(glossy_rows.begin(), glossy_rows.end(), [](std::uint32_t row) { return row == Transfer::no_row; }))
-      maker.irradiance(vertices, stream, rows.front());
-    else make_glossy_rows(maker, vertices, glossy_rows, stream, rows);
+      maker.irradiance(nodes, stream, rows.front());
+    else make_glossy_rows(maker, nodes, glossy_rows, stream, rows);
     Made made{TransferMatrix::Section(transfer_.one_bounce), {}};
     made.irradiance.add_block(rows.front());
     for (std::size_t k = 0; k < slices; ++k) {
@@ -65,19 +66,19 @@ class Filling {
     return made;
   }
 
-  /// One vertex after the other: those without gloss have no rows in the slices.
-  static void make_glossy_rows(TransferRows& maker, std::span<const std::uint32_t> vertices,
+  /// One node after the other: those without gloss have no rows in the slices.
+  static void make_glossy_rows(TransferRows& maker, std::span<const std::uint32_t> nodes,
                                std::span<const std::uint32_t> glossy_rows, RayStream& stream,
                                std::vector<std::vector<float>>& rows) {
-    const std::size_t columns = rows.front().size() / vertices.size();
+    const std::size_t columns = rows.front().size() / nodes.size();
     std::vector<float> all(columns * rows.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
       const std::span<float> irradiance = std::span(rows.front()).subspan(i * columns, columns);
       if (glossy_rows[i] == Transfer::no_row) {
-        maker.irradiance(vertices[i], stream, irradiance);
+        maker.irradiance(nodes[i], stream, irradiance);
         continue;
       }
-      maker.with_harmonics(vertices[i], stream, all);
+      maker.with_harmonics(nodes[i], stream, all);
       std::copy_n(all.begin(), columns, irradiance.begin());
       for (std::size_t k = 1; k < rows.size(); ++k) {
         const std::span<float> row = std::span(all).subspan(k * columns, columns);
@@ -87,9 +88,9 @@ class Filling {
   }
 
   const World& world_;
-  const VertexRays& rays_;
   Transfer& transfer_;
   Task& task_;
+  TransferRowsPool makers_;
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ void make_slices(const Transfer& transfer, const VertexRays& by, std::span<const
   TransferRows maker(transfer.basis, by);
   std::vector<float> all(harmonic_count * columns);
   for (const std::uint32_t slot : slots) {
-    maker.with_harmonics(transfer.vertex_of_slot[slot], stream, all);
+    maker.with_harmonics(transfer.node_of_slot[slot], stream, all);
     for (std::size_t k = 1; k < harmonic_count; ++k) {
       const std::span<const float> row = std::span(all).subspan(k * columns, columns);
       std::vector<float>& rows = rows_of(k - 1);
@@ -67,11 +67,11 @@ std::vector<PilotBlock> pilot_rows(const World& world, const Transfer& transfer,
     RayStream stream = task.rays(world);
     PilotBlock& pilot = pilots[range.begin];
     const std::size_t begin = chosen[range.begin] * block_rows, end = std::min(slots, begin + block_rows);
-    for (std::size_t slot = begin; slot < end; ++slot) pilot.areas.push_back(transfer.area_of(slot));
+    for (std::size_t slot = begin; slot < end; ++slot) pilot.areas.push_back(static_cast<double>(transfer.node_at(slot).area));
     const auto fill = [&](const VertexRays& by, std::vector<float>& rows) {
       TransferRows maker(transfer.basis, by);
       rows.resize((end - begin) * columns);
-      maker.irradiance(std::span(transfer.vertex_of_slot).subspan(begin, end - begin), stream, rows);
+      maker.irradiance(std::span(transfer.node_of_slot).subspan(begin, end - begin), stream, rows);
     };
     fill(sets.own, pilot.rows);
     for (std::size_t i = 0; i < 2; ++i) fill(sets.others[i], pilot.others[i]);
@@ -91,7 +91,7 @@ std::vector<PilotBlock> glossy_pilot_rows(const World& world, const Transfer& tr
     const std::vector<std::uint32_t>& slots = blocks[chosen[range.begin]];
     PilotBlock* const made = &pilots[range.begin * slices];
     for (std::size_t k = 0; k < slices; ++k)
-      for (const std::uint32_t slot : slots) made[k].areas.push_back(transfer.area_of(slot));
+      for (const std::uint32_t slot : slots) made[k].areas.push_back(static_cast<double>(transfer.node_at(slot).area));
     make_slices(transfer, sets.own, slots, stream, [&](std::size_t k) -> std::vector<float>& { return made[k].rows; });
     for (std::size_t i = 0; i < 2; ++i)
       make_slices(transfer, sets.others[i], slots, stream,

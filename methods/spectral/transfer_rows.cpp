@@ -1,64 +1,139 @@
 #include "methods/spectral/transfer_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace gibench::spectral {
 
-void TransferRows::nodal(std::uint32_t vertex, RayStream& rays, std::span<float> at_slots) {
+namespace {
+
+/// The sums of some functions over slots, eight rows side by side. `weights`: of the first slot, `stride` from one to the next.
+template <std::size_t functions>
+std::array<Lanes, functions> sums_over(std::span<const std::uint32_t> slots, const SpectralBasis& basis,
+                                       const SpectralBasis::Part& part, std::size_t first, const float* weights,
+                                       std::size_t stride) {
+  std::array<Lanes, functions> sums{};
+  const float* const row_of_first = basis.row(part, part.begin).data() + first;
+  for (const std::uint32_t slot : slots) {
+    const Lanes own = load_numbers(weights);
+    weights += stride;
+    const float* const values = row_of_first + std::size_t{slot - part.begin} * part.width;
+    for (std::size_t f = 0; f < functions; ++f) sums[f] += own * all_lanes(values[f]);
+  }
+  return sums;
+}
+
+}  // namespace
+
+TransferRows::TransferRows(const SpectralBasis& basis, const VertexRays& rays)
+    : basis_(basis), rays_(rays), touched_(basis.slots() / 64 + 1, 0) {}
+
+void TransferRows::begin(std::size_t rows) {
+  rows_ = rows;
+  if (at_slots_.size() < basis_.slots() * rows) at_slots_.resize(basis_.slots() * rows, 0.0F);
+}
+
+void TransferRows::nodal(std::uint32_t node, RayStream& rays, std::span<float> at_slots) {
   std::fill(at_slots.begin(), at_slots.end(), 0.0F);
-  rays_.trace(vertex, rays, [&](std::span<const MeshHit> hits) {
-    for (const MeshHit& hit : hits)
-      for (std::size_t c = 0; c < 3; ++c) at_slots[hit.slots[c]] += hit.weights[c];
+  rays_.trace(node, rays, [&](std::span<const MeshHit> hits) {
+    for (const MeshHit& hit : hits) rays_.each_slot(hit, [&](std::uint32_t slot, float weight) { at_slots[slot] += weight; });
   });
 }
 
-void TransferRows::clear(std::size_t rows) {
-  at_slots_.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(basis_.slots()));
-}
-
-/// Whether a ray met the part. Weights are not negative but for those of harmonics, whose first row is the plain one.
-bool TransferRows::reaches(const SpectralBasis::Part& part) const {
-  for (Eigen::Index row = 0; row < at_slots_.rows(); ++row)
-    if (at_slots_.row(row).segment(part.begin, part.end - part.begin).maxCoeff() > 0.0F) return true;
-  return false;
-}
-
-void TransferRows::project(std::span<float> rows) const {
-  const Eigen::Index count = at_slots_.rows(), columns = basis_.columns();
-  Eigen::Map<Matrix> sums(rows.data(), count, columns);
-  for (const SpectralBasis::Part& part : basis_.parts()) {
-    const Eigen::Index slots = part.end - part.begin;
-    const auto weights = at_slots_.middleCols(part.begin, slots);
-    auto sum = sums.middleCols(part.column, part.width);
-    if (!reaches(part)) {
-      sum.setZero();
-      continue;
-    }
-    const Eigen::Map<const Matrix> functions(basis_.row(part, part.begin).data(), slots, part.width);
-    sum.noalias() = weights * functions;
-  }
-}
-
-void TransferRows::irradiance(std::span<const std::uint32_t> vertices, RayStream& rays, std::span<float> rows) {
-  clear(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    nodal(vertices[i], rays, {at_slots_.row(static_cast<Eigen::Index>(i)).data(), basis_.slots()});
+void TransferRows::irradiance(std::span<const std::uint32_t> nodes, RayStream& rays, std::span<float> rows) {
+  begin(nodes.size());
+  for (std::size_t row = 0; row < nodes.size(); ++row)
+    rays_.trace(nodes[row], rays, [&, at = at_slots(row)](std::span<const MeshHit> hits) {
+      for (const MeshHit& hit : hits)
+        rays_.each_slot(hit, [&](std::uint32_t slot, float weight) {
+          touch(slot);
+          at[slot] += weight;
+        });
+    });
   project(rows);
 }
 
-void TransferRows::with_harmonics(std::uint32_t vertex, RayStream& rays, std::span<float> rows) {
-  clear(harmonic_count);
-  at_slots_.setZero();
-  rays_.trace(vertex, rays, [&](std::span<const MeshHit> hits) {
+void TransferRows::with_harmonics(std::uint32_t node, RayStream& rays, std::span<float> rows) {
+  begin(harmonic_count);
+  rays_.trace(node, rays, [&](std::span<const MeshHit> hits) {
     for (const MeshHit& hit : hits) {
       Harmonics h = spherical_harmonics(hit.direction);
       h[0] = 1.0F;
-      for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t k = 0; k < harmonic_count; ++k)
-          at_slots_(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(hit.slots[c])) += hit.weights[c] * h[k];
+      rays_.each_slot(hit, [&](std::uint32_t slot, float weight) {
+        touch(slot);
+        for (std::size_t k = 0; k < harmonic_count; ++k) at_slots(k)[slot] += weight * h[k];
+      });
     }
   });
   project(rows);
+}
+
+/// Part by part in the order of slots, so that no sum depends on which ray came first. Leaves the slots untouched.
+void TransferRows::project(std::span<float> rows) {
+  std::fill(rows.begin(), rows.end(), 0.0F);
+  const SpectralBasis::Part* part = nullptr;
+  const auto end_part = [&] {
+    if (part) project_part(*part, rows);
+    slots_.clear();
+  };
+  for (std::uint32_t word = 0; word < touched_.size(); ++word) {
+    for (std::uint64_t bits = touched_[word]; bits != 0; bits &= bits - 1) {
+      const std::uint32_t slot = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
+      if (!part || slot >= part->end) {
+        end_part();
+        part = &basis_.part_of(slot);
+      }
+      slots_.push_back(slot);
+    }
+    touched_[word] = 0;
+  }
+  end_part();
+}
+
+/// Those of the touched slots, which are zero then.
+void TransferRows::take_weights() {
+  const std::size_t stride = chunk_count(rows_, lane_count) * lane_count;
+  weights_.assign(slots_.size() * stride, 0.0F);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    float* const at = at_slots(row);
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+      weights_[i * stride + row] = at[slots_[i]];
+      at[slots_[i]] = 0.0F;
+    }
+  }
+}
+
+void TransferRows::project_part(const SpectralBasis::Part& part, std::span<float> rows) {
+  take_weights();
+  const std::size_t columns = basis_.columns(), stride = chunk_count(rows_, lane_count) * lane_count;
+  const auto write = [&](std::size_t first_row, std::size_t function, const Lanes& sum) {
+    for (std::size_t r = first_row; r < std::min(rows_, first_row + lane_count); ++r)
+      rows[r * columns + part.column + function] = sum[r - first_row];
+  };
+  for (std::size_t row = 0; row < rows_; row += lane_count) {
+    const float* const weights = weights_.data() + row;
+    if (part.width == 1) {
+      write(row, 0, sums_over<1>(slots_, basis_, part, 0, weights, stride).front());
+      continue;
+    }
+    for (std::size_t first = 0; first < part.functions; first += lane_count) {
+      const auto sums = sums_over<lane_count>(slots_, basis_, part, first, weights, stride);
+      for (std::size_t f = 0; f < std::min<std::size_t>(lane_count, part.functions - first); ++f) write(row, first + f, sums[f]);
+    }
+  }
+}
+
+std::unique_ptr<TransferRows> TransferRowsPool::take() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      std::unique_ptr<TransferRows> maker = std::move(idle_.back());
+      idle_.pop_back();
+      return maker;
+    }
+  }
+  return std::make_unique<TransferRows>(basis_, rays_);
 }
 
 }  // namespace gibench::spectral

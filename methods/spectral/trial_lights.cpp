@@ -16,12 +16,27 @@ constexpr std::uint32_t sky_rays = 64;
 constexpr std::size_t usual_triples = 16, judge_triples = 8;
 constexpr std::size_t slot_chunk = 512;
 
+SurfaceSample centre_of(const World& world, const Transfer& transfer, std::uint32_t node) {
+  const auto& [vertex, site] = transfer.nodes.sites(node).front();
+  return transfer.mesh->sample(world, vertex, site);
+}
+
+/// Those that lights may stand above.
+std::vector<std::uint32_t> reached_nodes(const Nodes& nodes) {
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t node = 0; node < nodes.size(); ++node)
+    if (nodes[node].reached) reached.push_back(node);
+  if (reached.empty())
+    for (std::uint32_t node = 0; node < nodes.size(); ++node) reached.push_back(node);
+  return reached;
+}
+
 /// Halfway along a ray from a surface: somewhere in the open.
-Vec3 place_of_light(const World& world, const SamplingMesh& mesh, std::uint64_t number, RayStream& rays, std::uint64_t seed) {
+Vec3 place_of_light(const World& world, const Transfer& transfer, std::span<const std::uint32_t> nodes, std::uint64_t number,
+                    RayStream& rays, std::uint64_t seed) {
   RandomStream random(seed, light_stage, number);
-  const auto vertices = static_cast<double>(mesh.vertices().size());
-  const auto vertex = static_cast<std::uint32_t>(random.next_double() * vertices);
-  const SurfaceSample from = mesh.sample(world, vertex, mesh.sites(vertex).front());
+  const auto which = static_cast<std::size_t>(random.next_double() * static_cast<double>(nodes.size()));
+  const SurfaceSample from = centre_of(world, transfer, nodes[which]);
   const Vec3 direction = Frame(from.normal).to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
   const Hit hit = rays.closest_hit({world.ray_origin(from), 0.0F, direction});
   return from.position + (0.5F * (hit ? hit.distance : 0.5F * world.diagonal())) * direction;
@@ -46,9 +61,9 @@ void scale_to_unit_mean(std::span<Rgb4> field, std::span<const double> area) {
 }
 
 /// What a sky of three kinds brings to a point: all round, from above, and from one side.
-Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::uint32_t vertex, bool occlusion, RayStream& rays) {
+Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::uint32_t node, bool occlusion, RayStream& rays) {
   const Frame frame(sample.normal);
-  const SobolSequence directions(mix_keys(sky_stage, vertex));
+  const SobolSequence directions(mix_keys(sky_stage, node));
   Rgb sum;
   for (std::uint32_t i = 0; i < sky_rays; ++i) {
     const Vec3 direction = frame.to_world(cosine_hemisphere(directions.pair(i, 0).unit()));
@@ -62,18 +77,19 @@ Rgb irradiance_from_sky(const World& world, const SurfaceSample& sample, std::ui
 
 }  // namespace
 
-TrialLights trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
-                         std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task) {
+TrialLights trial_lights(const World& world, const Transfer& transfer, bool occlusion, Task& task) {
+  const SpectralBasis& basis = transfer.basis;
+  const std::vector<std::uint32_t> reached = reached_nodes(transfer.nodes);
   std::vector<double> area;
-  for (const std::uint32_t vertex : vertex_of_slot) area.push_back(static_cast<double>(mesh.vertices()[vertex].area));
+  for (std::uint32_t slot = 0; slot < basis.slots(); ++slot) area.push_back(static_cast<double>(transfer.node_at(slot).area));
   std::vector<Rgb4> field(basis.slots());
-  // `light(sample, vertex, rays)`: the irradiance.
+  // `light(sample, node, rays)`: the irradiance.
   const auto projected = [&](const auto& light) {
     task.parallel_chunks(field.size(), slot_chunk, [&](const ChunkRange& range) {
       RayStream rays = task.rays(world);
       for (std::size_t slot = range.begin; slot < range.end; ++slot) {
-        const std::uint32_t vertex = vertex_of_slot[slot];
-        field[slot] = light(mesh.sample(world, vertex, mesh.sites(vertex).front()), vertex, rays);
+        const std::uint32_t node = transfer.node_of_slot[slot];
+        field[slot] = light(centre_of(world, transfer, node), node, rays);
       }
     });
     scale_to_unit_mean(field, area);
@@ -85,16 +101,17 @@ TrialLights trial_lights(const World& world, const SamplingMesh& mesh, const Spe
   for (std::size_t triple = 0; triple < usual_triples + judge_triples; ++triple) {
     RayStream placing = task.rays(world);
     std::array<Vec3, 3> places{};
-    for (std::size_t i = 0; i < 3; ++i) places[i] = place_of_light(world, mesh, 3 * triple + i, placing, task.seed());
+    for (std::size_t i = 0; i < 3; ++i)
+      places[i] = place_of_light(world, transfer, reached, 3 * triple + i, placing, task.seed());
     (triple < usual_triples ? lights.usual : lights.judges)
-        .push_back(projected([&](const SurfaceSample& sample, std::uint32_t vertex, RayStream& rays) {
-          const float nearest = std::sqrt(mesh.vertices()[vertex].area);
+        .push_back(projected([&](const SurfaceSample& sample, std::uint32_t node, RayStream& rays) {
+          const float nearest = std::sqrt(transfer.nodes[node].area);
           const auto from = [&](std::size_t i) { return irradiance_from(places[i], world, sample, nearest, occlusion, rays); };
           return Rgb(from(0), from(1), from(2));
         }));
   }
-  lights.judges.push_back(projected([&](const SurfaceSample& sample, std::uint32_t vertex, RayStream& rays) {
-    return irradiance_from_sky(world, sample, vertex, occlusion, rays);
+  lights.judges.push_back(projected([&](const SurfaceSample& sample, std::uint32_t node, RayStream& rays) {
+    return irradiance_from_sky(world, sample, node, occlusion, rays);
   }));
   lights.usual.push_back(lights.judges.back());
   return lights;

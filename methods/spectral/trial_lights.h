@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "methods/spectral/basis.h"
-#include "methods/spectral/interpolation.h"
+#include "methods/spectral/transfer.h"
 
 namespace gibench::spectral {
 
@@ -18,8 +17,8 @@ struct TrialLights {
 
 /// Point lights at random in the open space of the scene; skies all round, above and to one side. Without `occlusion` nothing
 /// stands before a point light, and no visibility ray is traced.
-TrialLights trial_lights(const World& world, const SamplingMesh& mesh, const SpectralBasis& basis,
-                         std::span<const std::uint32_t> vertex_of_slot, bool occlusion, Task& task);
+/// Above nodes that light is known not to reach none stands.
+TrialLights trial_lights(const World& world, const Transfer& transfer, bool occlusion, Task& task);
 
 /// The same plus light of one radiance everywhere, `ambient` times their means: what bounces add to them.
 TrialLights with_ambient(TrialLights lights, const SpectralBasis& basis, float ambient);

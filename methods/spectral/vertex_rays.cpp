@@ -9,26 +9,23 @@ namespace {
 
 constexpr std::size_t batch_size = DirectionBatch::capacity;
 
-/// Which of a vertex's sites a ray leaves from: shares dealt out evenly along the set (additive recurrence by the golden ratio).
-std::size_t site_of_ray(std::span<const VertexSite> sites, std::size_t ray) {
+/// Which of a node's sites a ray leaves from: shares dealt out evenly along the set (additive recurrence by the golden ratio).
+/// `shares_up_to`: of every site, with those before it.
+std::size_t site_of_ray(const std::vector<double>& shares_up_to, std::size_t ray) {
   const double turn = 0.6180339887498949 * static_cast<double>(ray);
-  double left = turn - std::floor(turn);
-  for (std::size_t s = 0; s + 1 < sites.size(); ++s) {
-    left -= static_cast<double>(sites[s].share);
-    if (left < 0.0) return s;
-  }
-  return sites.size() - 1;
+  const auto site = std::upper_bound(shares_up_to.begin(), shares_up_to.end() - 1, turn - std::floor(turn));
+  return static_cast<std::size_t>(site - shares_up_to.begin());
 }
 
 }  // namespace
 
-VertexRays::VertexRays(const World& world, const SamplingMesh& mesh, const Interpolation& interpolation,
-                       std::span<const std::uint32_t> slot_of_vertex, int rays, std::uint64_t seed)
-    : world_(world), mesh_(mesh), interpolation_(interpolation), set_(rays, seed), seed_(seed) {
+VertexRays::VertexRays(const World& world, const SamplingMesh& mesh, const Interpolation& interpolation, const Nodes& nodes,
+                       const NodeWeights& weights, int rays, std::uint64_t seed)
+    : world_(world), mesh_(mesh), interpolation_(interpolation), nodes_(nodes), weights_(weights), set_(rays, seed), seed_(seed) {
   corners_.reserve(mesh.triangles().size());
   for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
     Corners& corners = corners_.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) corners.slots[i] = slot_of_vertex[mesh.triangles()[t].corners[i]];
+    corners.vertices = mesh.triangles()[t].corners;
     corners.torn = interpolation.torn(t) ? 1 : 0;
   }
 }
@@ -40,20 +37,22 @@ struct VertexRays::Leaving {
   std::vector<std::uint32_t> places;  ///< in the set, of its rays; empty where all leave here
 };
 
-std::vector<VertexRays::Leaving> VertexRays::leaving(std::uint32_t vertex) const {
-  const std::span<const VertexSite> sites = mesh_.sites(vertex);
+std::vector<VertexRays::Leaving> VertexRays::leaving(std::uint32_t node) const {
+  const std::span<const NodeSite> sites = nodes_.sites(node);
   std::vector<Leaving> all;
-  for (const VertexSite& site : sites) {
+  std::vector<double> shares_up_to;
+  for (const auto& [vertex, site] : sites) {
     const SurfaceSample sample = mesh_.sample(world_, vertex, site);
     all.push_back({world_.ray_origin(sample), sample.normal, pi / static_cast<float>(set_.size()), {}});
+    shares_up_to.push_back((shares_up_to.empty() ? 0.0 : shares_up_to.back()) + static_cast<double>(site.share));
   }
   if (sites.size() == 1) return all;
-  for (std::uint32_t i = 0; i < set_.size(); ++i) all[site_of_ray(sites, i)].places.push_back(i);
+  for (std::uint32_t i = 0; i < set_.size(); ++i) all[site_of_ray(shares_up_to, i)].places.push_back(i);
   float dealt = 0.0F;  // the shares of sites that got rays
-  for (std::size_t s = 0; s < sites.size(); ++s) dealt += all[s].places.empty() ? 0.0F : sites[s].share;
+  for (std::size_t s = 0; s < sites.size(); ++s) dealt += all[s].places.empty() ? 0.0F : sites[s].site.share;
   std::erase_if(all, [&](Leaving& from) {
     const auto s = static_cast<std::size_t>(&from - all.data());
-    from.weight = pi * sites[s].share / (dealt * static_cast<float>(std::max<std::size_t>(1, from.places.size())));
+    from.weight = pi * sites[s].site.share / (dealt * static_cast<float>(std::max<std::size_t>(1, from.places.size())));
     return from.places.empty();
   });
   return all;
@@ -64,12 +63,12 @@ struct VertexRays::Met {
   alignas(32) std::array<float, batch_size> u, v;
 };
 
-void VertexRays::trace(std::uint32_t vertex, RayStream& rays, const std::function<void(std::span<const MeshHit>)>& take) const {
+void VertexRays::trace(std::uint32_t node, RayStream& rays, const std::function<void(std::span<const MeshHit>)>& take) const {
   DirectionBatch batch;
   Met met;
   std::array<MeshHit, batch_size> hits;
-  for (const Leaving& from : leaving(vertex)) {
-    const DirectionSet::Turn turn = DirectionSet::turn(seed_, vertex, from.normal);
+  for (const Leaving& from : leaving(node)) {
+    const DirectionSet::Turn turn = DirectionSet::turn(seed_, node, from.normal);
     const std::size_t total = from.places.empty() ? set_.size() : from.places.size();
     for (std::size_t begin = 0; begin < total; begin += batch.count) {
       if (from.places.empty()) set_.directions(turn, begin, batch);
@@ -108,7 +107,7 @@ std::size_t VertexRays::meet(const DirectionBatch& batch, const Met& met, float 
       const Vec3 position = world_.position(met.triangle[ray[i]], {met.u[ray[i]], met.v[ray[i]]});
       points[i] = interpolation_.seen(world_, mesh_, points[i], position, rays);
     }
-    hits[i].slots = corners.slots;
+    hits[i].vertices = corners.vertices;
     for (std::size_t c = 0; c < 3; ++c) hits[i].weights[c] = ray_weight * points[i].weights[c];
     hits[i].direction = batch.direction(ray[i]);
   }

@@ -37,9 +37,7 @@ struct SpectralRoom {
   }
   const spectral::Transfer& transfer() const { return made.transfer; }
   std::uint32_t slots() const { return transfer().basis.slots(); }
-  spectral::VertexRays rays() const {
-    return {world, *transfer().mesh, transfer().interpolation, transfer().slot_of_vertex, settings.rays, task.seed()};
-  }
+  spectral::VertexRays rays() const { return spectral::rays_of(world, transfer(), settings.rays, task.seed()); }
 };
 
 }  // namespace gibench::test

@@ -31,7 +31,7 @@ std::vector<RgbDouble> gathered(SpectralRoom& room, const std::vector<Rgb4>& lig
   std::vector<RgbDouble> result;
   std::vector<float> weights(room.slots());
   for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
-    rows.nodal(room.transfer().vertex_of_slot[slot], stream, weights);
+    rows.nodal(room.transfer().node_of_slot[slot], stream, weights);
     RgbDouble& sum = result.emplace_back();
     for (std::uint32_t j = 0; j < weights.size(); ++j) sum += RgbDouble(Rgb(light[j])) * static_cast<double>(weights[j]);
   }
@@ -54,7 +54,7 @@ TEST(SpectralTransfer, CompleteBasisEqualsNodalGatheringThroughTheSameRays) {
                                       {"compression_error", "0"},
                                       {"laplacian", laplacian}});
     ASSERT_EQ(room.made.termination, Termination::done) << room.made.message;
-    ASSERT_EQ(room.transfer().basis.functions(), room.slots());
+    ASSERT_EQ(room.transfer().basis.columns(), room.slots());
     const std::vector<Rgb4> light = random_light(room.slots());
     const std::vector<RgbDouble> expected = gathered(room, light);
     const std::vector<Rgb4> answer = transferred(room, light);
@@ -82,8 +82,8 @@ TEST(SpectralTransfer, SmoothLightNeedsFewFunctions) {
   SpectralRoom room(closed_room(),
                     {{"vertices", "1500"}, {"basis_functions", "150"}, {"rays", "256"}, {"compression_error", "0"}});
   std::vector<Rgb4> light;
-  for (const std::uint32_t vertex : room.transfer().vertex_of_slot) {
-    const Vec3& p = room.transfer().mesh->vertices()[vertex].position;
+  for (const std::uint32_t node : room.transfer().node_of_slot) {
+    const Vec3& p = room.transfer().nodes[node].position;
     light.emplace_back(Rgb(1.0F + p.x, 2.0F + std::sin(2.0F * p.y), 1.0F + p.z * p.z));
   }
   const std::vector<RgbDouble> expected = gathered(room, light);
@@ -119,8 +119,8 @@ std::vector<std::vector<Rgb4>> lamps(const SpectralRoom& room, std::size_t count
   for (std::size_t i = 0; i < count; ++i) {
     RandomStream random(7, 8, i);
     const Vec3 place = Vec3(0.05F) + Vec3(0.9F, 1.4F, 1.9F) * Vec3(random.next_float(), random.next_float(), random.next_float());
-    for (const std::uint32_t vertex : room.transfer().vertex_of_slot) {
-      const MeshVertex& at = room.transfer().mesh->vertices()[vertex];
+    for (const std::uint32_t node : room.transfer().node_of_slot) {
+      const Node& at = room.transfer().nodes[node];
       const Vec3 toward = place - at.position;
       const float squared = glm::dot(toward, toward) + 0.01F;
       lights[i].emplace_back(Rgb(std::max(0.0F, glm::dot(toward, at.normal)) / (squared * std::sqrt(squared))));
@@ -189,13 +189,11 @@ TEST(SpectralTransfer, NothingPassesAThinWall) {
   builder.block("wall", white, {0.995F, 0.0F, 0.0F}, {0.996F, 1.0F, 1.0F});
   SpectralRoom room(builder.build("two rooms"), {{"vertices", "2000"}, {"basis_functions", "200"}, {"rays", "256"}});
   std::vector<Rgb4> light;
-  const auto is_lit = [&](std::uint32_t slot) {
-    return room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]].position.x < 0.9955F;
-  };
+  const auto is_lit = [&](std::uint32_t slot) { return room.transfer().node_at(slot).position.x < 0.9955F; };
   for (std::uint32_t slot = 0; slot < room.slots(); ++slot) light.emplace_back(Rgb(is_lit(slot) ? 1.0F : 0.0F));
   const std::vector<Rgb4> answer = transferred(room, light);
   for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
-    const MeshVertex& vertex = room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]];
+    const Node& vertex = room.transfer().node_at(slot);
     if (vertex.object == 1 && std::fabs(vertex.normal.x) < 0.5F) continue;  // the wall's edges lie in the room's own walls
     EXPECT_NEAR(answer[slot].r, is_lit(slot) ? pi : 0.0F, 0.03F * pi);
   }
@@ -208,10 +206,27 @@ TEST(SpectralTransfer, RowsOfABlockAreThoseOfItsVertices) {
   TransferRows maker(room.transfer().basis, rays);
   RayStream stream = room.task.rays(room.world);
   std::vector<float> together(5 * columns), alone(columns);
-  maker.irradiance(std::span(room.transfer().vertex_of_slot).subspan(40, 5), stream, together);
+  maker.irradiance(std::span(room.transfer().node_of_slot).subspan(40, 5), stream, together);
   for (std::size_t i = 0; i < 5; ++i) {
-    maker.irradiance(room.transfer().vertex_of_slot[40 + i], stream, alone);
+    maker.irradiance(room.transfer().node_of_slot[40 + i], stream, alone);
     for (std::size_t c = 0; c < columns; ++c) EXPECT_NEAR(together[i * columns + c], alone[c], 1e-5F);
+  }
+}
+
+TEST(SpectralTransfer, AMakerOfRowsKeepsNothingFromOneBlockToTheNext) {
+  SpectralRoom room(closed_room(), {{"vertices", "300"}, {"basis_functions", "40"}, {"rays", "64"}, {"compression_error", "0"}});
+  const std::size_t columns = room.transfer().basis.columns();
+  const VertexRays rays = room.rays();
+  RayStream stream = room.task.rays(room.world);
+  TransferRows kept(room.transfer().basis, rays);
+  const auto vertices = std::span(room.transfer().node_of_slot);
+  for (std::uint32_t slot = 0; slot + 8 <= room.slots(); slot += 40) {
+    TransferRows fresh(room.transfer().basis, rays);
+    std::vector<float> expected(8 * columns), made(8 * columns), slices(harmonic_count * columns);
+    fresh.irradiance(vertices.subspan(slot, 8), stream, expected);
+    kept.irradiance(vertices.subspan(slot, 8), stream, made);
+    EXPECT_EQ(made, expected);
+    kept.with_harmonics(vertices[slot], stream, slices);
   }
 }
 
@@ -230,14 +245,14 @@ TEST(SpectralTransfer, NoLightOfAFloorIsTakenFromUnderTheBlocksThatStandOnIt) {
     std::vector<std::vector<float>> weights(room.slots(), std::vector<float>(room.slots()));
     std::vector<float> seen(room.slots(), 0.0F);
     for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
-      rows.nodal(room.transfer().vertex_of_slot[slot], stream, weights[slot]);
+      rows.nodal(room.transfer().node_of_slot[slot], stream, weights[slot]);
       for (const float weight : weights[slot]) seen[slot] += weight / pi;
     }
     for (std::uint32_t slot = 0; slot < room.slots(); ++slot) {
       if (seen[slot] < 0.5F) continue;
       float dark = 0.0F;
       for (std::uint32_t j = 0; j < room.slots(); ++j) dark += seen[j] < 0.5F ? weights[slot][j] / pi : 0.0F;
-      const Vec3 at = room.transfer().mesh->vertices()[room.transfer().vertex_of_slot[slot]].position;
+      const Vec3 at = room.transfer().node_at(slot).position;
       EXPECT_LT(dark, 0.02F) << degrees << " degrees, at " << at.x << " " << at.y << " " << at.z;
     }
   }
@@ -252,18 +267,18 @@ TEST(SpectralTransfer, HarmonicSlicesAreMomentsOfTheArrivingLight) {
   const Transfer& transfer = room.transfer();
   ASSERT_EQ(transfer.harmonic_slices.size(), harmonic_count - 1);
   std::vector<Rgb4> light, projected(transfer.basis.columns());
-  for (const std::uint32_t vertex : transfer.vertex_of_slot)
-    light.emplace_back(Rgb(1.0F + transfer.mesh->vertices()[vertex].position.y));
+  for (const std::uint32_t node : transfer.node_of_slot) light.emplace_back(Rgb(1.0F + transfer.nodes[node].position.y));
   transfer.basis.project(light, projected, room.task);
   const VertexRays rays = room.rays();
   RayStream stream = room.task.rays(room.world);
   for (std::size_t row = 0; row < transfer.glossy_slots.size(); row += 7) {
     Harmonics expected{};
-    rays.trace(transfer.vertex_of_slot[transfer.glossy_slots[row]], stream, [&](std::span<const MeshHit> hits) {
+    rays.trace(transfer.node_of_slot[transfer.glossy_slots[row]], stream, [&](std::span<const MeshHit> hits) {
       for (const MeshHit& hit : hits) {
         const Harmonics h = spherical_harmonics(hit.direction);
-        for (std::size_t c = 0; c < 3; ++c)
-          for (std::size_t k = 0; k < harmonic_count; ++k) expected[k] += h[k] * hit.weights[c] * light[hit.slots[c]].r;
+        rays.each_slot(hit, [&](std::uint32_t slot, float weight) {
+          for (std::size_t k = 0; k < harmonic_count; ++k) expected[k] += h[k] * weight * light[slot].r;
+        });
       }
     });
     for (std::size_t k = 1; k < harmonic_count; ++k) {
