@@ -81,7 +81,7 @@ Discretisation::Discretisation(const World& world, SamplingMesh made, const Sett
 
 double direction_table_bytes(const Settings& settings) {
   const auto bins = static_cast<std::size_t>(settings.bins) * static_cast<std::size_t>(settings.bins);
-  return static_cast<double>(BinTransport::bytes_for(1, bins)) + krylov_vectors * static_cast<double>(bins * sizeof(Light4));
+  return static_cast<double>(BinTransport::bytes_for(1, bins)) + krylov_vectors * static_cast<double>(bins * channels * sizeof(float));
 }
 
 std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, double table_bytes, Task& task,
