@@ -145,6 +145,7 @@ TEST(Antiradiance, PaperPresetLeavesOutWhatTheTextDoesNotHave) {
   EXPECT_EQ(settings.sectors, 1);
   EXPECT_EQ(settings.bin_winner, antiradiance::BinWinner::links);
   EXPECT_FALSE(settings.near_cells);
+  EXPECT_FALSE(settings.merge);
 }
 
 TEST(Antiradiance, ConvexRoomKeepsNoDirectionsAndTracesNoVisibility) {
