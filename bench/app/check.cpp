@@ -9,6 +9,7 @@
 #include "bench/app/print_json.h"
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
+#include "bench/measure/cancellation.h"
 #include "bench/measure/loaded_scene.h"
 #include "bench/measure/run_method.h"
 #include "bench/record/check_record.h"
@@ -50,12 +51,29 @@ void print_plan(const PlanRecord& method) {
     fmt::print("  {:<12} skips {}: {}\n", "", to_string(skipped.effect), skipped.why);
 }
 
+/// "35.2% (all of it fronts)", of the area that light can leave.
+std::string share_of_sides(double fronts, double backs, double area) {
+  const double all = fronts + backs;
+  const double percent = area > 0.0 ? 100.0 * all / area : 0.0;
+  if (backs == 0.0) return fmt::format("{:.1f}%", percent);
+  return fmt::format("{:.1f}%, of which {:.1f}% are backs", percent, 100.0 * backs / all);
+}
+
+void print_spaces(const SpaceReport& spaces) {
+  const bool told = !spaces.nothing_reached;
+  fmt::print("  {:<20} {:.6g} m²\n", "can reflect light", spaces.area);
+  fmt::print("  {:<20} {}\n", "lit", told ? share_of_sides(spaces.lit_fronts, spaces.lit_backs, spaces.area) : "nothing");
+  fmt::print("  {:<20} {}\n", "seen by cameras", share_of_sides(spaces.seen_fronts, spaces.seen_backs, spaces.area));
+  fmt::print("  {:<20} {}\n", "sealed from both", told ? share_of_sides(spaces.sealed, 0.0, spaces.area) : "not known");
+}
+
 void print_check(const CheckRecord& check) {
   fmt::print("{}: valid\n", check.scene);
   const nlohmann::ordered_json geometry = to_json(check.analysis.geometry);
   for (const auto& [name, value] : geometry.items()) fmt::print("  {:<20} {}\n", name, value.dump());
   const auto& [twins, opposite_twins, overlaps] = check.coincident;
   fmt::print("  {:<20} {} twins, {} opposite twins, {} overlaps\n", "coincident triangles", twins, opposite_twins, overlaps);
+  print_spaces(check.spaces);
   for (const MeasuredCamera& camera : check.cameras)
     fmt::print("  camera '{}' {} × {}\n", camera.name, camera.width, camera.height);
   for (const std::string& warning : check.warnings) fmt::print("  warning: {}\n", printable_text(warning));
@@ -95,7 +113,11 @@ ExitStatus check(const CheckOptions& options, const CommonOptions& common) {
   record.scene = scene.name, record.file = scene.file.string();
   record.analysis = {scene_key(scene), report_geometry(scene), effects.effects, BoundRecord::of(effects), seconds};
   record.coincident = count_coincidences(loaded.world->geometry().coplanar());
+  Task task(TaskSettings{common.seed, common.threads, cancellation(), {}});
+  record.spaces = report_spaces(*loaded.world, task);
+  stop_if_cancelled();
   record.cameras = cameras_of(scene), record.lights = scene.lights.size(), record.warnings = scene.warnings;
+  record.warnings.insert(record.warnings.end(), record.spaces.warnings.begin(), record.spaces.warnings.end());
   record.light_kinds = effects.lights, record.changes = names_of(effects.changes);
   record.methods = plans_of(scene, effects, chosen);
   record.exposure = scene.exposure;

@@ -17,8 +17,8 @@
 #include "bench/record/relight_record.h"
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
-#include "common/geometry/surface_domain.h"
 #include "common/metrics/errors.h"
+#include "common/spaces/surface_domain.h"
 
 namespace gibench {
 
@@ -47,6 +47,12 @@ double root_mean_variance(const Replicas& replicas) {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, replicas.size())));
 }
 
+/// Whatever the lights are: what is sealed off from them may change from frame to frame.
+SurfaceDomain domain_of(const Scene& scene) {
+  const auto kind = scene.cameras.empty() ? SurfaceDomain::Kind::whole : SurfaceDomain::Kind::seen;
+  return {kind, {}};
+}
+
 class Relighter {
  public:
   Relighter(const RelightOptions& options, std::optional<int> bounces, const CommonOptions& common, const MethodChoice& choice,
@@ -58,7 +64,7 @@ class Relighter {
         world_(std::move(world)) {
     measuring_.bounces = bounces;
     question_ = {path_class(bounces), common.seed, options.surface_samples,
-                 std::nullopt,        1,           to_string(surface_domain_of("", world_->scene(), "the scene"))};
+                 std::nullopt,        1,           to_string(domain_of(world_->scene()))};
     points_ = measuring_points(*world_, question_, common.threads);
     if (options.compared_samples > 0) question_.surface_samples = options.compared_samples;
   }

@@ -7,7 +7,6 @@
 
 #include "bench/measure/cancellation.h"
 #include "common/core/error.h"
-#include "common/geometry/surface_domain.h"
 
 namespace gibench {
 
@@ -69,7 +68,7 @@ ReferenceQuestion restricted_to(ReferenceQuestion question, const std::string& l
 MeasuringPoints measuring_points(const World& world, const ReferenceQuestion& question, int threads) {
   MeasuringPoints points;
   const SurfaceDomain domain = surface_domain_of(question.surface_domain, world.scene(), "--surface-domain");
-  points.surface = domain_samples(world, domain, question.surface_samples, question.seed, threads);
+  points.surface = domain_samples(world, domain, question.surface_samples, question.seed, threads, &points.domain);
   if (points.surface.empty() && world.total_area() > 0.0)
     throw InputError("--surface-domain", "no camera sees a surface that light can leave",
                      "turn a camera to the scene, or give all or names of objects");

@@ -9,13 +9,14 @@
 #include "bench/measure/camera_points.h"
 #include "common/method/method_session.h"
 #include "common/reference/reference_store.h"
+#include "common/spaces/surface_domain.h"
 
 namespace gibench {
 
 /// What is compared: the same for every method on a scene.
 struct MeasuringOptions {
   std::size_t surface_samples = 2048;
-  std::string surface_domain;        ///< seen, all or names of objects; empty: seen where the scene has a camera, else all
+  std::string surface_domain;        ///< seen, all, whole or names of objects; empty: seen where the scene has a camera, else all
   int pixel_samples = 4;             ///< camera rays per pixel, a square number
   std::string camera;                ///< name; empty: the scene's first
   std::optional<int> bounces;        ///< reflections between a light and the surface asked about; empty: all
@@ -40,6 +41,7 @@ ReferenceQuestion restricted_to(ReferenceQuestion question, const std::string& l
 
 struct MeasuringPoints {
   std::vector<SurfaceSample> surface;  ///< irradiance is asked here, W/m²
+  DomainFacts domain;                  ///< of the surface samples
   std::optional<CameraPoints> camera;  ///< radiance is asked here, W/(m² sr)
 };
 MeasuringPoints measuring_points(const World& world, const ReferenceQuestion& question, int threads);

@@ -9,8 +9,9 @@ std::span<const OptionField<MeasuringOptions>> measuring_fields() {
       {"--surface-samples", "surface_samples", "Surface samples at which irradiance is compared", &O::surface_samples, 1,
        100'000'000, true},
       {"--surface-domain", "surface_domain",
-       "Surfaces on which irradiance is compared: seen (by a camera, or by one diffuse reflection from there), all, or names of "
-       "objects joined by commas; without it: seen where the scene has a camera, else all",
+       "Surfaces on which irradiance is compared: seen (by a camera, or by one diffuse reflection from there), all (what is not "
+       "sealed away from light and cameras), whole, or names of objects joined by commas; without it: seen where the scene has a "
+       "camera, else all",
        &O::surface_domain},
       {"--pixel-samples", "pixel_samples", "Camera rays per pixel, a square number", &O::pixel_samples, 1, 4096, true},
       {"--camera", "camera", "Camera by name; without it: the scene's first", &O::camera},

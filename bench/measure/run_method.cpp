@@ -35,7 +35,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const EffectPlan& plan,
 }
 
 MeasuredAt measured_at(const ReferenceQuestion& question) {
-  MeasuredAt at{question.surface_samples, question.seed, std::nullopt, question.pixel_samples, question.surface_domain};
+  MeasuredAt at{question.surface_samples, question.seed, std::nullopt, question.pixel_samples, question.surface_domain, {}};
   if (question.camera) at.camera = {question.camera->name, question.camera->width, question.camera->height};
   return at;
 }
@@ -142,6 +142,8 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   Task task = make_task(common, fmt::format("{}, {}", scene.scene().name, name));
   LitMethod lit = prepare_and_light(world, choice, options, measuring.bounces, task, log);
   const MeasuringPoints points = measuring_points(world, question, common.threads);
+  const std::string note = points.domain.note();
+  if (!note.empty()) log.info("surface samples: " + note);
   RunOutcome outcome{{}, shade_surface(*lit.method, points, task), std::nullopt};
   const auto keep = [&](Stage stage, const StageReport& report) {
     lit.stages.push_back({stage, report});
@@ -158,6 +160,7 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   record.seed = common.seed, record.threads = threads, record.plan = lit.plan;
   record.origin = Origin::here();
   record.measured_at = measured_at(question);
+  record.measured_at.sealed_share = points.domain.sealed_share;
   record.light_paths = lit.light_paths, record.complete = lit.complete;
   record.completed = completed_components(lit.method->capabilities());
   record.load_seconds = scene.seconds;
@@ -165,6 +168,7 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   record.method_bytes = lit.method->bytes();
   record.counters = task.counters();
   record.warnings = warnings_of(scene.scene(), lit.plan, name);
+  if (points.domain.nothing_reached) record.warnings.push_back("surface samples: " + note);
   return outcome;
 }
 

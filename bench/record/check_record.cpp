@@ -1,6 +1,7 @@
 #include "bench/record/check_record.h"
 
 #include "bench/record/json_fields.h"
+#include "bench/record/space_record.h"
 #include "common/scene/light_kinds.h"
 
 namespace gibench {
@@ -72,6 +73,7 @@ Json to_json(const CheckRecord& record) {
             {"key", record.analysis.key},
             {"geometry", to_json(record.analysis.geometry)},
             {"coincident_triangles", coincidences_json(record.coincident)},
+            {"spaces", to_json(record.spaces)},
             {"cameras", cameras_json(record.cameras)},
             {"lights", record.lights},
             {"warnings", record.warnings},
@@ -92,6 +94,7 @@ CheckRecord check_record_of(const Json& json) {
   record.analysis.key = json.at("key").get<std::string>();
   record.analysis.geometry = geometry_report_of(object_field(json, "geometry"));
   record.coincident = coincidences_of(object_field(json, "coincident_triangles"));
+  record.spaces = space_report_of(object_field(json, "spaces"));
   for (const Json& camera : object_field(json, "cameras"))
     if (const auto measured = camera_in(camera, "name")) record.cameras.push_back(*measured);
   read_field(json, "lights", record.lights);

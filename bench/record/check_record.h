@@ -11,6 +11,7 @@
 #include "common/effects/scene_facts.h"
 #include "common/geometry/geometry_report.h"
 #include "common/ray/coincident_faces.h"
+#include "common/spaces/space_report.h"
 
 namespace gibench {
 
@@ -36,6 +37,7 @@ struct CheckRecord {
   std::string scene, file;
   SceneAnalysis analysis;
   CoincidenceCounts coincident;  ///< pairs of triangles
+  SpaceReport spaces;            ///< its warnings stand below
   std::vector<MeasuredCamera> cameras;
   std::size_t lights = 0;
   std::vector<std::string> warnings;

@@ -29,6 +29,7 @@ Json stages_of(const std::vector<StageRecord>& stages) {
 Json measured_at_json(const MeasuredAt& at) {
   Json json{{"surface_samples", at.surface_samples}};
   if (!at.surface_domain.empty()) json["surface_domain"] = at.surface_domain;
+  write_field(json, "sealed_share", at.sealed_share);
   json["reference_seed"] = at.reference_seed;
   if (!at.camera) return json;
   write_camera(json, *at.camera);
@@ -159,6 +160,7 @@ MeasuredAt measured_at_of(const Json& json) {
   MeasuredAt at;
   read_field(json, "surface_samples", at.surface_samples);
   read_field(json, "surface_domain", at.surface_domain);
+  read_field(json, "sealed_share", at.sealed_share);
   read_field(json, "reference_seed", at.reference_seed);
   read_field(json, "pixel_samples", at.pixel_samples);
   at.camera = camera_in(json);

@@ -54,7 +54,8 @@ struct MeasuredAt {
   std::uint64_t reference_seed = 1;      ///< of the surface samples, the camera rays and the reference
   std::optional<MeasuredCamera> camera;  ///< empty: no pictures
   int pixel_samples = 0;                 ///< camera rays per pixel
-  std::string surface_domain;            ///< of the surface samples: seen, all or names of objects
+  std::string surface_domain;            ///< of the surface samples: seen, all, whole or names of objects
+  std::optional<double> sealed_share;    ///< of the area, left out of `all`
 };
 
 struct RunRecord {

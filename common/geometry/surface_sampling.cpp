@@ -64,6 +64,7 @@ class Pieces {
     const Scene& scene = world_.scene();
     const int sides = scene.objects[scene.triangle_object[triangle]].two_sided ? 2 : 1;
     for (int side = 0; side < sides; ++side) {
+      if (part_.keeps_side && !part_.keeps_side(triangle, side == 0)) continue;
       pieces_.push_back({triangle, side == 0, corners});
       area_up_to_.push_back((area_up_to_.empty() ? 0.0 : area_up_to_.back()) + static_cast<double>(area));
     }

@@ -19,6 +19,7 @@ std::vector<SurfaceSample> area_uniform_samples(const World& world, std::size_t 
 /// The part of a scene that is sampled; an empty function keeps everything.
 struct SampledPart {
   std::function<bool(std::uint32_t object)> keeps_object;
+  std::function<bool(std::uint32_t triangle, bool front)> keeps_side;
   /// Whether anything in the box may be kept: triangles are cut into pieces of `piece_size` metres, and the others left out, so
   /// that a part of a large plane is found.
   std::function<bool(const Vec3& low, const Vec3& high)> may_keep_in;

@@ -17,7 +17,7 @@ struct ReferenceQuestion {
   std::size_t surface_samples = 0;     ///< irradiance at this many samples of the surface domain
   std::optional<Camera> camera;        ///< radiance image; empty: surface samples only
   int pixel_samples = 1;               ///< camera rays per pixel
-  std::string surface_domain = "all";  ///< of the surface samples: seen, all, or names of objects joined by commas
+  std::string surface_domain = "all";  ///< of the surface samples: seen, all, whole, or names of objects joined by commas
 };
 
 /// direct and indirect replicates of one set of values.

@@ -76,6 +76,7 @@ std::string reference_key(const Scene& scene, const ReferenceQuestion& question)
   key.add(store_version).add(scene_key(scene));
   key.add(question.path_class).add(question.seed).add(question.surface_samples).add(question.pixel_samples);
   key.add(question.surface_domain);
+  if (question.surface_domain == "all") key.add(std::string("without sealed sides"));  // it once meant what `whole` does
   key.add(static_cast<int>(question.camera.has_value()));
   if (question.camera) {
     add(key, question.camera->position);

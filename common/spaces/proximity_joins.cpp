@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -79,11 +80,37 @@ struct Found {
   bool operator<(const Found& o) const { return std::tie(distance, from, to) < std::tie(o.distance, o.from, o.to); }
 };
 
+/// Normals as a cone.
+struct Cone {
+  Vec3 axis{0.0F};
+  float angle = pi;  ///< no normal is further from the axis
+};
+
+float angle_between(const Vec3& a, const Vec3& b) { return std::acos(std::clamp(glm::dot(a, b), -1.0F, 1.0F)); }
+
+Cone cone_around(const Cone& a, const Cone& b) {
+  const Vec3 sum = a.axis + b.axis;
+  const float length = glm::length(sum);
+  if (!(length > 1e-3F)) return {};
+  const Vec3 axis = sum / length;
+  return {axis, std::max(angle_between(axis, a.axis) + a.angle, angle_between(axis, b.axis) + b.angle)};
+}
+
 /// Searches over the trees, whose nodes know whether they are of one piece alone.
 class NearestOthers {
  public:
   NearestOthers(std::span<const Place> places, const PlaceTree& tree, Pieces& pieces)
-      : places_(places), tree_(tree), pieces_(pieces), piece_of_node_(tree.nodes().size()), root_of_place_(places.size()) {
+      : places_(places),
+        tree_(tree),
+        pieces_(pieces),
+        piece_of_node_(tree.nodes().size()),
+        cones_(tree.nodes().size()),
+        root_of_place_(places.size()) {
+    for (std::size_t i = cones_.size(); i-- > 0;) {  // children come after parents
+      const PlaceNode& node = tree.nodes()[i];
+      cones_[i] =
+          node.is_leaf() ? Cone{places[tree.order()[node.begin]].normal, 0.0F} : cone_around(cones_[i + 1], cones_[node.right]);
+    }
     for (const std::uint32_t root : tree.roots())
       for (std::uint32_t i = tree.nodes()[root].begin; i < tree.nodes()[root].end; ++i) root_of_place_[tree.order()[i]] = root;
     settle();
@@ -93,7 +120,7 @@ class NearestOthers {
   void settle() {
     pieces_.settle();
     const auto nodes = tree_.nodes();
-    for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after parents
+    for (std::size_t i = nodes.size(); i-- > 0;) {
       const PlaceNode& node = nodes[i];
       if (node.is_leaf()) piece_of_node_[i] = pieces_.of_place(tree_.order()[node.begin]);
       else piece_of_node_[i] = piece_of_node_[i + 1] == piece_of_node_[node.right] ? piece_of_node_[node.right] : none;
@@ -129,6 +156,7 @@ class NearestOthers {
   Found nearest(std::uint32_t asking, const Reach& reach, std::vector<std::uint32_t>& stack, std::uint64_t& visited) const {
     const Place& own = places_[asking];
     const std::uint32_t own_piece = pieces_.of_place(asking);
+    const float widest = std::acos(reach.least_cosine) + 1e-3F;
     Found best;
     float within = reach.distance;
     stack.assign(1, root_of_place_[asking]);
@@ -145,6 +173,7 @@ class NearestOthers {
           best = found, within = found.distance;
         continue;
       }
+      if (angle_between(own.normal, cones_[index].axis) > widest + cones_[index].angle) continue;
       const bool left_first =
           distance_to(own.position, tree_.nodes()[index + 1]) <= distance_to(own.position, tree_.nodes()[node.right]);
       stack.push_back(left_first ? node.right : index + 1);
@@ -157,6 +186,7 @@ class NearestOthers {
   const PlaceTree& tree_;
   Pieces& pieces_;
   std::vector<std::uint32_t> piece_of_node_;  ///< none: of several
+  std::vector<Cone> cones_;                   ///< of every node
   std::vector<std::uint32_t> root_of_place_;
   std::uint64_t visits_ = 0;
 };
@@ -164,8 +194,8 @@ class NearestOthers {
 /// Joins what finds something within reach, the smallest first, until nothing does or few enough are left.
 class Joining {
  public:
-  Joining(std::span<const Place> places, std::span<const std::uint32_t> piece, std::size_t wanted, const PlaceTree& tree)
-      : wanted_(std::max<std::size_t>(1, wanted)), pieces_(places, piece), others_(places, tree, pieces_) {}
+  Joining(std::span<const Place> places, Pieces pieces, std::size_t wanted, const PlaceTree& tree)
+      : wanted_(wanted), pieces_(std::move(pieces)), others_(places, tree, pieces_) {}
 
   bool is_done() const { return pieces_.count() <= wanted_; }
 
@@ -213,10 +243,12 @@ class Joining {
 std::vector<Join> join_small_pieces(std::span<const Place> places, std::span<const std::uint32_t> piece,
                                     std::size_t pieces_wanted, float first_distance, Task& task) {
   GIBENCH_CHECK(piece.size() == places.size(), "one piece for each place");
-  if (places.empty()) return {};
+  const std::size_t wanted = std::max<std::size_t>(1, pieces_wanted);
+  Pieces pieces(places, piece);
+  if (pieces.count() <= wanted) return {};
   const PlaceTree tree(places, task);
   if (task.cancelled()) return {};
-  Joining joining(places, piece, pieces_wanted, tree);
+  Joining joining(places, std::move(pieces), wanted, tree);
   float distance = first_distance;
   for (int doubling = 0; doubling <= doublings && !joining.is_done(); ++doubling, distance *= 2.0F)
     for (const float least_cosine : least_cosines) joining.join_within({distance, least_cosine}, task);

@@ -42,7 +42,7 @@ float SideCells::area(std::uint32_t cell) const {
   return world_.area(t) / static_cast<float>(std::uint32_t{rows_[t]} * rows_[t]);
 }
 
-Vec2 SideCells::barycentrics(std::uint32_t cell, Vec2 place) const {
+SideCells::Position SideCells::position(std::uint32_t cell) const {
   const std::uint32_t rows = rows_[triangle(cell)];
   const std::uint32_t local = cell - begin_[side_[cell]];
   // The largest row with row (2n − row) ≤ local: of the root n − sqrt(n² − local), put right where rounding missed.
@@ -51,9 +51,20 @@ Vec2 SideCells::barycentrics(std::uint32_t cell, Vec2 place) const {
   while (row > 0 && row * (2 * rows - row) > local) --row;
   while ((row + 1) * (2 * rows - row - 1) <= local) ++row;
   const std::uint32_t along = local - row * (2 * rows - row);
-  const Vec2 corner(static_cast<float>(row), static_cast<float>(along / 2));
-  const Vec2 inside = along % 2 == 0 ? place : Vec2(1.0F) - place;
-  return (corner + inside) / static_cast<float>(rows);
+  return {row, along / 2, along % 2 != 0};
+}
+
+Vec2 SideCells::barycentrics(std::uint32_t cell, Vec2 place) const {
+  const Position at = position(cell);
+  const Vec2 corner(static_cast<float>(at.row), static_cast<float>(at.column));
+  return (corner + (at.turned ? Vec2(1.0F) - place : place)) / static_cast<float>(rows_[triangle(cell)]);
+}
+
+Vec2 SideCells::place_in(std::uint32_t cell, Vec2 barycentrics) const {
+  const Position at = position(cell);
+  const Vec2 corner(static_cast<float>(at.row), static_cast<float>(at.column));
+  const Vec2 inside = barycentrics * static_cast<float>(rows_[triangle(cell)]) - corner;
+  return at.turned ? Vec2(1.0F) - inside : inside;
 }
 
 std::size_t SideCells::bytes() const {

@@ -45,9 +45,18 @@ class SideCells {
   /// Barycentrics of the point of a cell that lies at `place` in a triangle.
   Vec2 barycentrics(std::uint32_t cell, Vec2 place) const;
 
+  /// The inverse: where in its cell a point of a triangle lies.
+  Vec2 place_in(std::uint32_t cell, Vec2 barycentrics) const;
+
   std::size_t bytes() const;
 
  private:
+  struct Position {
+    std::uint32_t row, column;
+    bool turned;
+  };
+  Position position(std::uint32_t cell) const;
+
   /// Row by row along the second corner's barycentric; a row of k cells' length has 2k − 1 of them, upright ones and turned ones
   /// by turns.
   static std::uint32_t local_at(std::uint32_t rows, Vec2 barycentrics) {

@@ -23,10 +23,10 @@ SideLight::SideLight(const World& world, Task& task, const SideLightOptions& opt
   cell_flags_.assign(cells_.size(), 0);
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell)
     if (light.seen[cell] != 0) cell_flags_[cell] |= seen_flag;
-  judge();
+  judge(light.brightest);
 }
 
-void SideLight::judge() {
+void SideLight::judge(std::span<const float> brightest) {
   double squares = 0.0, sum = 0.0, largest = 0.0;
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
     if (!can_reflect(world_, cells_.triangle(cell), cells_.front(cell))) continue;
@@ -45,7 +45,7 @@ void SideLight::judge() {
     const bool reflects = can_reflect(world_, side / 2, side % 2 == 0);
     double side_sum = 0.0;
     for (std::uint32_t cell = cells_.begin(side); cell < cells_.end(side); ++cell) {
-      if (reflects && (nothing_reached_ || cell_irradiance_[cell] > least)) cell_flags_[cell] |= reached_flag;
+      if (reflects && (nothing_reached_ || brightest[cell] > least)) cell_flags_[cell] |= reached_flag;
       flags_[side] |= cell_flags_[cell];
       side_sum += static_cast<double>(cell_irradiance_[cell]);
     }

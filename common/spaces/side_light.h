@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/method/task.h"
@@ -26,7 +27,7 @@ class SideLight {
   /// What gets less than this share of mean() counts as sealed.
   static constexpr float sealed_share = 1e-3F;
 
-  /// Keeps a reference to the world. The lights are those of its scene.
+  /// Keeps a reference to the world, which must outlive it. The lights are those of its scene.
   SideLight(const World& world, Task& task, const SideLightOptions& options = {});
 
   /// W/m², the mean over the side; 0 of black sides, unless these are asked about, and of triangles without area.
@@ -70,7 +71,8 @@ class SideLight {
     const std::uint32_t cell = cells_.at(triangle, front, barycentrics);
     return cell != SideCells::none && (cell_flags_[cell] & which) != 0;
   }
-  void judge();
+  /// `brightest`: of every cell, what decides whether it is reached.
+  void judge(std::span<const float> brightest);
 
   const World& world_;
   SideCells cells_;

@@ -11,27 +11,37 @@
 #include "common/core/random.h"
 #include "common/core/sampling.h"
 #include "common/geometry/camera_view.h"
-#include "common/lighting/direct_light.h"
 #include "common/scene/material_kinds.h"
+#include "common/spaces/cell_points.h"
+#include "common/spaces/straight_light.h"
 
 namespace gibench {
 
 namespace {
 
-constexpr std::uint64_t straight_stage = 0x7370616365646972ULL, ray_stage = 0x7370616365726179ULL;
+constexpr std::uint64_t ray_stage = 0x7370616365726179ULL;
 constexpr std::size_t most_rays_a_cell = 24, least_rays_a_cell = 4, usual_rays = 4'000'000;
-constexpr int points_a_cell = 2;  // for straight light and for cameras
-constexpr int most_tries = 8;     // for a point that is not behind what coincides with it
-constexpr std::size_t cells_a_chunk = 128;
+constexpr std::size_t points_a_chunk = 256, cells_a_chunk = 64;
 constexpr int camera_grid = 128;  // rays across and down a picture
 constexpr int most_rounds = 32;
 constexpr double settled_change = 1e-4;  // of the sum of irradiance
 
+std::size_t rays_of_cells(std::size_t cells) {
+  return std::clamp(usual_rays / std::max<std::size_t>(1, cells), least_rays_a_cell, most_rays_a_cell);
+}
+
+float mean_of_channels(const Rgb& value) { return (value.r + value.g + value.b) / 3.0F; }
+
 class CellLightMaker {
  public:
   CellLightMaker(const World& world, const SideCells& cells, Task& task)
-      : world_(world), cells_(cells), task_(task), views_(camera_views(world.scene())) {
-    light_.irradiance.assign(cells.size(), 0.0F);
+      : world_(world),
+        cells_(cells),
+        task_(task),
+        views_(camera_views(world.scene())),
+        points_(world, cells, rays_of_cells(cells.size()) >= 8 ? 4 : 1, task),
+        rays_a_point_(rays_of_cells(cells.size()) / points_.points_a_cell()),
+        irradiance_(points_.size(), 0.0F) {
     light_.seen.assign(cells.size(), 0);
   }
 
@@ -39,24 +49,18 @@ class CellLightMaker {
     look_from_cameras();
     find_straight_light();
     trace_rays();
+    look_by_reflection();
     reflect();
+    sum_up();
     return std::move(light_);
   }
 
  private:
-  /// A random point of the cell that is not behind another surface.
-  std::optional<SurfaceSample> point_of(std::uint32_t cell, RandomStream& random) const {
-    const std::uint32_t triangle = cells_.triangle(cell);
-    const Vec3 normal = cells_.front(cell) ? world_.normal(triangle) : -world_.normal(triangle);
-    for (int i = 0; i < most_tries; ++i) {
-      const float u = random.next_float(), v = random.next_float();
-      const Vec2 place = cells_.barycentrics(cell, uniform_triangle({u, v}));
-      if (!world_.coincident().shows(triangle, place.x, place.y, -normal)) continue;
-      SurfaceSample sample = world_.sample_at(triangle, place, normal);
-      sample.lit_side = true;  // light that arrives is wanted, whatever becomes of it
-      return sample;
-    }
-    return std::nullopt;
+  template <class Body>
+  void each_point(const Body& body) {
+    task_.parallel_chunks(points_.size(), 16 * points_a_chunk, [&](const ChunkRange& range) {
+      for (auto point = static_cast<std::uint32_t>(range.begin); point < range.end; ++point) body(point);
+    });
   }
 
   void look_from_cameras() {
@@ -83,32 +87,16 @@ class CellLightMaker {
   }
 
   void find_straight_light() {
-    const DirectLight light(world_, Lighting::of(world_.scene()));
+    const StraightLight light(world_, points_, task_.seed());
     task_.parallel_chunks(cells_.size(), cells_a_chunk, [&](const ChunkRange& range) {
       RayStream rays = task_.rays(world_);
-      std::vector<SurfaceSample> points;
-      std::vector<std::uint64_t> keys;
-      std::vector<std::uint32_t> cell_of_point;
-      for (auto cell = static_cast<std::uint32_t>(range.begin); cell < range.end; ++cell) {
-        RandomStream random(task_.seed(), straight_stage, cell);
-        for (int i = 0; i < points_a_cell; ++i) {
-          const std::optional<SurfaceSample> point = point_of(cell, random);
-          if (!point) continue;
-          points.push_back(*point);
-          keys.push_back(random.next_bits());
-          cell_of_point.push_back(cell);
-        }
-      }
-      std::vector<Rgb> values(points.size());
-      light.irradiance(points, keys, 1, rays, values);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::uint32_t cell = cell_of_point[i];
-        light_.irradiance[cell] += mean_of_channels(values[i]) / points_a_cell;
-        if (light_.seen[cell] == 0 && sees(points[i], rays)) light_.seen[cell] = 1;
+      light.find({range.begin, range.end}, irradiance_, rays);
+      for (std::size_t point = range.begin * points_.points_a_cell(); point < range.end * points_.points_a_cell(); ++point) {
+        const std::optional<SurfaceSample> sample = points_.sample(static_cast<std::uint32_t>(point));
+        if (sample && sees(*sample, rays)) mark_seen(points_.cell(static_cast<std::uint32_t>(point)));
       }
     });
   }
-  static float mean_of_channels(const Rgb& value) { return (value.r + value.g + value.b) / 3.0F; }
 
   bool sees(const SurfaceSample& sample, RayStream& rays) const {
     for (const CameraView& view : views_) {
@@ -119,83 +107,101 @@ class CellLightMaker {
     return false;
   }
 
-  /// The cells that the rays of each cell meet.
+  /// The points that the rays of each point meet.
   void trace_rays() {
-    rays_a_cell_ = std::clamp(usual_rays / std::max<std::size_t>(1, cells_.size()), least_rays_a_cell, most_rays_a_cell);
-    met_.assign(cells_.size() * rays_a_cell_, SideCells::none);
-    task_.parallel_chunks(cells_.size(), cells_a_chunk, [&](const ChunkRange& range) {
+    met_.assign(points_.size() * rays_a_point_, CellPoints::none);
+    task_.parallel_chunks(points_.size(), points_a_chunk, [&](const ChunkRange& range) {
       RayStream stream = task_.rays(world_);
-      std::vector<Ray> rays(rays_a_cell_);
-      std::vector<Hit> hits(rays_a_cell_);
-      for (auto cell = static_cast<std::uint32_t>(range.begin); cell < range.end; ++cell) {
-        RandomStream random(task_.seed(), ray_stage, cell);
-        if (!aim(cell, random, rays)) continue;
+      std::vector<Ray> rays(rays_a_point_);
+      std::vector<Hit> hits(rays_a_point_);
+      for (auto point = static_cast<std::uint32_t>(range.begin); point < range.end; ++point) {
+        const std::optional<SurfaceSample> sample = points_.sample(point);
+        if (!sample) continue;
+        RandomStream random(task_.seed(), ray_stage, point);
+        const Frame frame(sample->normal);
+        for (Ray& ray : rays) {
+          const float u = random.next_float(), v = random.next_float();
+          ray = {world_.ray_origin(*sample), 0.0F, frame.to_world(cosine_hemisphere({u, v}))};
+        }
         stream.closest_hits(rays, hits);
-        for (std::size_t i = 0; i < rays.size(); ++i) met_[cell * rays_a_cell_ + i] = cell_of(hits[i], rays[i].direction);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          met_[point * rays_a_point_ + i] = points_.met(hits[i], rays[i].direction, stream);
       }
     });
   }
-  bool aim(std::uint32_t cell, RandomStream& random, std::span<Ray> rays) const {
-    for (Ray& ray : rays) {
-      const std::optional<SurfaceSample> point = point_of(cell, random);
-      if (!point) return false;
-      const float u = random.next_float(), v = random.next_float();
-      ray = {world_.ray_origin(*point), 0.0F, Frame(point->normal).to_world(cosine_hemisphere({u, v}))};
-    }
-    return true;
-  }
 
-  std::span<const std::uint32_t> met_by(std::size_t cell) const {
-    return std::span(met_).subspan(cell * rays_a_cell_, rays_a_cell_);
+  std::span<const std::uint32_t> met_by(std::size_t point) const {
+    return std::span(met_).subspan(point * rays_a_point_, rays_a_point_);
   }
+  bool reflects(std::uint32_t cell) const { return can_reflect(world_, cells_.triangle(cell), cells_.front(cell)); }
 
-  /// Rounds of reflections, and the one of what cameras see.
-  void reflect() {
-    const std::size_t count = cells_.size();
-    std::vector<float> albedo(count), radiosity(count), next(count);
-    std::vector<std::uint8_t> seen = light_.seen;
-    const auto each_cell = [&](const auto& body) {
-      task_.parallel_chunks(count, 16 * cells_a_chunk, [&](const ChunkRange& range) {
-        for (auto cell = static_cast<std::uint32_t>(range.begin); cell < range.end; ++cell) body(cell);
-      });
-    };
-    each_cell([&](std::uint32_t cell) {
-      const std::uint32_t triangle = cells_.triangle(cell);
-      if (!can_reflect(world_, triangle, cells_.front(cell))) return;
-      albedo[cell] = mean_of_channels(straight_reflectance(world_.scene().material_of_triangle(triangle)));
-      for (const std::uint32_t met : met_by(cell))
-        if (met != SideCells::none && light_.seen[met] != 0) seen[cell] = 1;
+  /// What meets seen sides that can reflect.
+  void look_by_reflection() {
+    if (views_.empty()) return;
+    const std::vector<std::uint8_t> seen = light_.seen;
+    each_point([&](std::uint32_t point) {
+      for (const std::uint32_t met : met_by(point))
+        if (met != CellPoints::none && seen[points_.cell(met)] != 0 && reflects(points_.cell(met)))
+          mark_seen(points_.cell(point));
     });
-    const std::vector<float> straight = light_.irradiance;
-    double sum = total(straight);
+  }
+
+  /// Rounds of reflections, until little is added.
+  void reflect() {
+    std::vector<float> albedo(points_.size()), radiosity(points_.size()), next(points_.size());
+    each_point([&](std::uint32_t point) {
+      if (const std::uint32_t cell = points_.cell(point); reflects(cell))
+        albedo[point] = mean_of_channels(straight_reflectance(world_.scene().material_of_triangle(cells_.triangle(cell))));
+    });
+    const std::vector<float> straight = irradiance_;
+    double sum = total();
     for (int round = 0; round < most_rounds && !task_.cancelled(); ++round) {
-      each_cell([&](std::uint32_t cell) { radiosity[cell] = albedo[cell] * light_.irradiance[cell]; });
-      each_cell([&](std::uint32_t cell) {
+      each_point([&](std::uint32_t point) { radiosity[point] = albedo[point] * irradiance_[point]; });
+      each_point([&](std::uint32_t point) {
         float arriving = 0.0F;
-        for (const std::uint32_t met : met_by(cell))
-          if (met != SideCells::none) arriving += radiosity[met];
-        next[cell] = straight[cell] + arriving / static_cast<float>(rays_a_cell_);
+        for (const std::uint32_t met : met_by(point))
+          if (met != CellPoints::none) arriving += radiosity[met];
+        next[point] = straight[point] + arriving / static_cast<float>(rays_a_point_);
       });
-      light_.irradiance.swap(next);
+      irradiance_.swap(next);
       const double before = sum;
-      sum = total(light_.irradiance);
+      sum = total();
       if (sum - before <= settled_change * sum) break;
     }
-    light_.seen = std::move(seen);
   }
-  double total(std::span<const float> irradiance) const {
+  double total() const {
     double sum = 0.0;
-    for (std::uint32_t cell = 0; cell < irradiance.size(); ++cell)
-      sum += static_cast<double>(irradiance[cell]) * static_cast<double>(cells_.area(cell));
+    for (std::uint32_t point = 0; point < irradiance_.size(); ++point)
+      sum += static_cast<double>(irradiance_[point]) * static_cast<double>(cells_.area(points_.cell(point)));
     return sum;
+  }
+
+  /// From points to cells; the parts of a cell that lie behind another surface do not count.
+  void sum_up() {
+    light_.irradiance.assign(cells_.size(), 0.0F);
+    light_.brightest.assign(cells_.size(), 0.0F);
+    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+      float sum = 0.0F, brightest = 0.0F, count = 0.0F;
+      const std::uint32_t first = cell * points_.points_a_cell();
+      for (std::uint32_t point = first; point < first + points_.points_a_cell(); ++point) {
+        if (!points_.sample(point)) continue;
+        sum += irradiance_[point], count += 1.0F;
+        brightest = std::max(brightest, irradiance_[point]);
+      }
+      if (count == 0.0F) continue;
+      light_.irradiance[cell] = sum / count;
+      light_.brightest[cell] = points_.is_divided(cell) ? brightest : sum / count;
+    }
   }
 
   const World& world_;
   const SideCells& cells_;
   Task& task_;
   std::vector<CameraView> views_;
-  std::size_t rays_a_cell_ = most_rays_a_cell;
-  std::vector<std::uint32_t> met_;  ///< cells, rays_a_cell_ of each; none: nothing, or a black back
+  CellPoints points_;
+  std::size_t rays_a_point_;
+  std::vector<std::uint32_t> met_;  ///< points, rays_a_point_ of each; none: nothing, or a black back
+  std::vector<float> irradiance_;   ///< of every point, W/m²
   CellLight light_;
 };
 

@@ -13,6 +13,7 @@ namespace gibench {
 /// One value or flag for every cell.
 struct CellLight {
   std::vector<float> irradiance;   ///< W/m², straight light and reflections
+  std::vector<float> brightest;    ///< the same; of a divided cell (CellPoints) that of its brightest point
   std::vector<std::uint8_t> seen;  ///< 1: by a camera, or by one diffuse reflection
 };
 

@@ -52,7 +52,7 @@ struct StudyRun {
 
   // From result.json.
   std::string machine;         ///< processor, cores, compiler and build: seconds of different ones do not compare
-  std::string surface_domain;  ///< of its surface samples: seen, all or names of objects
+  std::string surface_domain;  ///< of its surface samples: seen, all, whole or names of objects
   std::optional<std::uint64_t> seed, threads;
   std::optional<EffectPlan> effects;
   std::map<Stage, double> seconds;  ///< of those that were recorded

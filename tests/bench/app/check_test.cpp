@@ -20,6 +20,19 @@ TEST(Check, TellsGeometryEffectsAndEveryMethodsPlan) {
   for (const auto& method : check["methods"]) EXPECT_TRUE(method["plan"]["simulated"].is_array());
 }
 
+TEST(Check, TellsWhatIsLitAndSeen) {
+  const Workshop shop;
+  const auto spaces = shop.gibench({"check", "room.scene.json", "--json"}).json()["spaces"];
+  EXPECT_GT(spaces["lit_fronts"].get<double>(), 0.9 * spaces["area"].get<double>());
+  EXPECT_EQ(spaces["lit_backs"], 0.0);
+  EXPECT_FALSE(spaces["nothing_reached"].get<bool>());
+  ASSERT_FALSE(spaces["objects"].empty());
+  EXPECT_GT(spaces["objects"][0]["front"]["power"].get<double>(), 0.0);
+  const std::string out = shop.gibench({"check", "room.scene.json"}).out;
+  for (const char* word : {"can reflect light", "lit ", "seen by cameras", "sealed from both"})
+    EXPECT_THAT(out, testing::HasSubstr(word));
+}
+
 TEST(Check, SaysTheSameForPeople) {
   const Outcome outcome = Workshop().gibench({"check", "room.scene.json"});
   EXPECT_EQ(outcome.status, 0);

@@ -40,7 +40,7 @@ RunRecord run_record() {
   record.scene = "box", record.method = "meshless", record.seed = 7, record.threads = 2;
   record.parameters = {{"adaptive", true}, {"levels", std::int64_t{4}}, {"radius", 1.0}, {"mode", std::string("fast")}};
   record.origin = {"1.0", "c0ffee", {"cpu", "os", "g++", "Release", 2, 1024}};
-  record.measured_at = {2048, 3, MeasuredCamera{"main", 64, 48}, 4, "seen"};
+  record.measured_at = {2048, 3, MeasuredCamera{"main", 64, 48}, 4, "all", 0.25};
   record.plan.called_for = {Effect::direct, Effect::diffuse_indirect, Effect::glossy_chain};
   record.plan.simulated = {Effect::direct, Effect::diffuse_indirect};
   record.plan.missing = {Effect::glossy_chain};

@@ -30,6 +30,7 @@ CheckRecord check_record() {
   CheckRecord record;
   record.scene = "box", record.file = "box.scene.json", record.analysis = analysis();
   record.coincident = {1, 2, 3};
+  record.spaces = {22.0, 10.0, 1.0, 5.0, 0.5, 9.0, true, {{"lamp", true, 2.0, {1.0, 0.5, 3.0}, {0.25, 0.0, 0.75}}}, {}};
   record.cameras = {{"main", 64, 48}, {"side", 8, 6}}, record.lights = 2, record.warnings = {"a warning"};
   record.light_kinds.emitting_materials = 1, record.light_kinds.of_kind[0] = 2;
   record.changes = "lights only", record.exposure = Exposure{0.5F, -2.0F, 4.0F};

@@ -1,4 +1,4 @@
-#include "common/geometry/surface_domain.h"
+#include "common/spaces/surface_domain.h"
 
 #include <gtest/gtest.h>
 
@@ -101,10 +101,66 @@ TEST(SurfaceDomain, TheSameForAnyNumberOfThreads) {
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].position, two[i].position);
 }
 
-TEST(SurfaceDomain, AllIsWhatAreaUniformSamplesGive) {
+TEST(SurfaceDomain, WholeIsWhatAreaUniformSamplesGive) {
   const World world(two_rooms(), 1);
-  const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 300, 5, 2), plain = area_uniform_samples(world, 300, 5);
+  const auto all = domain_samples(world, {SurfaceDomain::Kind::whole, {}}, 300, 5, 2),
+             plain = area_uniform_samples(world, 300, 5);
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(all[i].position, plain[i].position);
+}
+
+/// A room of 1 m with a lamp in a shell of 3 m, both facing inwards, and a two-sided screen in the room.
+Scene room_in_a_shell(bool with_lamp = true) {
+  made::SceneBuilder builder;
+  const auto white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("room", white, {0, 0, 0}, {1, 1, 1}).room("shell", white, {-1, -1, -1}, {2, 2, 2});
+  builder.quad("screen", white, {Vec3(0.3F, 0, 0.2F), Vec3(0.3F, 0.9F, 0.2F), Vec3(0.3F, 0.9F, 0.8F), Vec3(0.3F, 0, 0.8F)}, true);
+  if (with_lamp) builder.light(PointLight{{0.6F, 0.5F, 0.5F}, Rgb(1.0F)});
+  return builder.build("room in a shell");
+}
+
+TEST(SurfaceDomain, WhatIsSealedFromLightAndCamerasIsNoPartOfAll) {
+  const World world(room_in_a_shell(), 1);
+  DomainFacts facts;
+  const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 4000, 1, 2, &facts);
+  ASSERT_EQ(all.size(), 4000U);
+  EXPECT_EQ(count_on(world, all, "shell"), 0U);
+  const double screen = 2 * 0.9 * 0.6, share = screen / (6.0 + screen);
+  EXPECT_NEAR(static_cast<double>(count_on(world, all, "screen")) / 4000.0, share, 4.0 * std::sqrt(share / 4000.0));
+  ASSERT_TRUE(facts.sealed_share.has_value());
+  EXPECT_NEAR(*facts.sealed_share, 54.0 / (60.0 + screen), 1e-4);
+  EXPECT_NE(facts.note().find("88.4%"), std::string::npos) << facts.note();
+  EXPECT_FALSE(facts.nothing_reached);
+}
+
+TEST(SurfaceDomain, WhatIsSealedDoesNotDependOnSeedAndThreads) {
+  const World world(room_in_a_shell(), 1);
+  DomainFacts one, other;
+  const auto samples = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 500, 1, 1, &one);
+  const auto again = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 500, 1, 3);
+  domain_samples(world, {SurfaceDomain::Kind::all, {}}, 500, 2, 2, &other);
+  EXPECT_EQ(one.sealed_share, other.sealed_share);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ(samples[i].position, again[i].position);
+}
+
+TEST(SurfaceDomain, WithoutLightAllIsTheWholeSurface) {
+  const World world(room_in_a_shell(false), 1);
+  DomainFacts facts;
+  const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 2000, 1, 2, &facts);
+  EXPECT_NEAR(static_cast<double>(count_on(world, all, "shell")) / 2000.0, 54.0 / 61.08, 0.01);
+  EXPECT_TRUE(facts.nothing_reached);
+  EXPECT_EQ(facts.sealed_share, 0.0);
+  EXPECT_FALSE(facts.note().empty());
+}
+
+/// No light comes to it, but it is looked at.
+TEST(SurfaceDomain, WhatOnlyACameraReachesIsAPartOfAll) {
+  Scene scene = two_rooms();
+  scene.lights.emplace_back(PointLight{{2.5F, 0.5F, 0.5F}, Rgb(1.0F)});
+  const World world(scene, 1);
+  const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 2000, 1, 2);
+  EXPECT_GT(count_on(world, all, "lit"), 600U);
+  EXPECT_GT(count_on(world, all, "dark"), 600U);
+  EXPECT_EQ(count_on(world, all, "ground"), 0U);
 }
 
 }  // namespace
