@@ -201,6 +201,10 @@ void Accessibility::add(float form_factor, const Vec3& direction, std::uint32_t 
 /// Part by part: a near cell is seen under many directions.
 void Accessibility::block_by_cell(std::uint32_t leaf, const Receiver& receiver, Blocked& blocked) const {
   const std::uint32_t element = hierarchy_.element(hierarchy_.nodes()[leaf]);
+  if (elements_.parts(element).empty()) {
+    block_by_points(leaf, receiver, blocked);
+    return;
+  }
   for (const CellPart& part : elements_.parts(element)) {
     const float form_factor =
         elements_.exposed_share(element) * polygon_form_factor(receiver.point, receiver.looks(), part.corners);
@@ -208,6 +212,22 @@ void Accessibility::block_by_cell(std::uint32_t leaf, const Receiver& receiver, 
     const Vec3 d = 0.25F * (part.corners[0] + part.corners[1] + part.corners[2] + part.corners[3]) - receiver.point;
     const float squared = glm::dot(d, d);
     add(form_factor, squared > 0.0F ? d / std::sqrt(squared) : receiver.looks(), leaf, receiver, blocked);
+  }
+}
+
+/// Point by point, each as a disc with its share of the area, whichever side it shows.
+void Accessibility::block_by_points(std::uint32_t leaf, const Receiver& receiver, Blocked& blocked) const {
+  const std::uint32_t element = hierarchy_.element(hierarchy_.nodes()[leaf]);
+  const auto points = elements_.points(element);
+  float exposed = 0.0F;
+  for (const CellPoint& point : points)
+    if (point.exposed) exposed += 1.0F;
+  const float area = elements_.disc(element).area / std::max(1.0F, exposed);
+  for (const CellPoint& point : points) {
+    if (!point.exposed) continue;
+    const Vec3 d = 0.5F * (point.origin + point.behind) - receiver.point;
+    const float squared = glm::dot(d, d), u = glm::dot(receiver.looks(), d), v = std::fabs(glm::dot(point.normal, d));
+    if (u > 0.0F) add(u * v * area / (squared * (pi * squared + area)), d / std::sqrt(squared), leaf, receiver, blocked);
   }
 }
 

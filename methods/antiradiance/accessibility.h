@@ -61,6 +61,7 @@ class Accessibility {
   void block(const Receiver& receiver, Blocked& blocked) const;
   void block_by_tree(std::uint32_t root, const Receiver& receiver, Blocked& blocked) const;
   void block_by_cell(std::uint32_t leaf, const Receiver& receiver, Blocked& blocked) const;
+  void block_by_points(std::uint32_t leaf, const Receiver& receiver, Blocked& blocked) const;
   void add(float form_factor, const Vec3& direction, std::uint32_t blocker, const Receiver& receiver, Blocked& blocked) const;
   std::vector<float> pulled(std::span<const float> leaves) const;
 

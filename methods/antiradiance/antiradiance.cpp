@@ -54,7 +54,8 @@ std::vector<Preset> presets() {
       {"paper",
        "the text's own algorithm in every mode: a disc for every vertex, form factors of discs, no rays but for visibility in "
        "mode=radiosity and direct light",
-       {{"crease_degrees", "180"},
+       {{"merge", "false"},
+        {"crease_degrees", "180"},
         {"backface_rays", "0"},
         {"closure_rays", "0"},
         {"near_field", "discs"},

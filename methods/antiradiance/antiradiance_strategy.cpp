@@ -69,7 +69,7 @@ class AntiradianceStrategy : public LinkedStrategy {
     std::vector<float> projected(count);
     projected_bins(*linking().bins, sample.normal, projected);
     return glossy_->radiance(world.scene().objects[sample.object].material, sample.normal, toward_viewer, projected,
-                             by_direction_.data() + leaf * count * 4) *
+                             by_direction_.data() + leaf * count * channels) *
            closure()[leaf];
   }
 

@@ -2,6 +2,8 @@
 /// tables of elements × directional bins (Dachsbacher, Stamminger, Drettakis, Durand 2007).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -12,13 +14,9 @@
 #include "methods/antiradiance/glossy.h"
 #include "methods/antiradiance/hierarchy.h"
 #include "methods/antiradiance/links.h"
+#include "methods/antiradiance/scaled_number.h"
 
 namespace gibench::antiradiance {
-
-/// A colour in a vector register.
-struct alignas(16) Light4 {
-  float v[4] = {0.0F, 0.0F, 0.0F, 0.0F};
-};
 
 /// K, at the leaves.
 struct Reflection {
@@ -27,14 +25,15 @@ struct Reflection {
   const GlossyReflection* glossy = nullptr;  ///< further lobes
 };
 
-/// Two tables of nodes × bins: exitant radiance less antiradiance, W/(m² sr), by the way it travels, and incident irradiance,
-/// W/m², likewise. Of a leaf, bins on its front's side hold what leaves the front, those on the other side what leaves its
-/// back: both hemispheres share a row. Vectors are the leaves' rows of such a table, four floats a bin.
+/// A table of nodes × bins: exitant radiance less antiradiance by the way it travels, in numbers of 16 bits: each row
+/// has a unit of its own, 1/32767 of the largest of a leaf's row, and of the children's larger one. Of a leaf, bins on its
+/// front's side hold what leaves the front, those on the other side what leaves its back: both hemispheres share a row. Vectors
+/// are rows of the leaves, by bin and channel: what arrives likewise, W/m².
 class BinTransport {
  public:
   BinTransport(const Hierarchy& hierarchy, const LinkTable& links, const DirectionBins& bins);
 
-  Eigen::Index vector_size() const { return static_cast<Eigen::Index>(hierarchy_.leaf_count() * bins_.count() * 4); }
+  Eigen::Index vector_size() const { return static_cast<Eigen::Index>(hierarchy_.leaf_count() * row_); }
 
   /// U of light that comes from no link: radiosities of the leaves' fronts, W/m², and `lobes` on top of them, radiance by bin
   /// (as the vectors are; empty: none).
@@ -49,27 +48,40 @@ class BinTransport {
   /// Irradiance on the fronts, W/m².
   void irradiance(const Vector& arriving, std::span<Rgb> fronts, Task& task) const;
 
-  std::size_t bytes() const { return (exitant_.capacity() + incident_.capacity()) * sizeof(Light4); }
-  /// Of both tables for so many leaves and bins.
-  static std::size_t bytes_for(std::size_t leaves, std::size_t bins) { return 4 * leaves * bins * sizeof(Light4); }
+  std::size_t bytes() const { return exitant_.capacity() * sizeof(ScaledNumber) + units_.capacity() * sizeof(float); }
+  /// Of the table for so many leaves and bins.
+  static std::size_t bytes_for(std::size_t leaves, std::size_t bins) {
+    return 2 * leaves * (bins * channels * sizeof(ScaledNumber) + sizeof(float));
+  }
 
  private:
   void local_pass(const Vector& arriving, bool through, const Reflection* reflection, Task& task);
+  /// The row of a leaf.
+  void send(std::uint32_t node, std::span<const float> radiance);
   void pull(Task& task);
   /// Of the link's sender what gather() will read.
   void prefetch_sent(std::size_t link) const;
-  void gather(Task& task);
-  void push(Task& task);
+  /// Adds what the links of a node bring.
+  void gather(std::uint32_t node, float* arriving) const;
+  /// What of a bin a surface shows, by the cosine that its light has at least.
+  float cosine(const Node& node, std::size_t bin) const {
+    return std::max(std::fabs(glm::dot(node.normal, bins_.direction(bin))), bins_.least_cosine());
+  }
+  /// What arrives at a node as it arrives at its child: of the same radiance, on the area that the child shows to each bin.
+  void pass_down(const Node& node, const Node& child, const float* arriving, float* at_child) const;
+  /// Everything below a node whose row holds what its ancestors and itself were brought, into the leaves' rows of `incident`.
+  void gather_below(std::uint32_t node, std::vector<float>& rows, std::size_t depth, Vector& incident) const;
   void unoccluded(Vector& incident, Task& task);
 
-  Light4* exitant(std::size_t node) { return exitant_.data() + node * bins_.count(); }
-  const Light4* exitant(std::size_t node) const { return exitant_.data() + node * bins_.count(); }
-  Light4* incident(std::size_t node) { return incident_.data() + node * bins_.count(); }
+  ScaledNumber* exitant(std::size_t node) { return exitant_.data() + node * row_; }
+  const ScaledNumber* exitant(std::size_t node) const { return exitant_.data() + node * row_; }
 
   const Hierarchy& hierarchy_;
   const LinkTable& links_;
   const DirectionBins& bins_;
-  std::vector<Light4> exitant_, incident_;
+  std::size_t row_;           ///< numbers of a node
+  std::vector<float> units_;  ///< of the nodes' rows
+  std::vector<ScaledNumber> exitant_;
 };
 
 /// Projected solid angles of the bins as a surface with this normal sees them, sr; positive for light that leaves its front,

@@ -10,6 +10,9 @@
 
 namespace gibench::antiradiance {
 
+/// Numbers that light by direction has in each bin: one for each channel of a colour.
+inline constexpr std::size_t channels = 3;
+
 /// Shares of one direction in up to four bins, in units of 1/255: they sum to 255 exactly, so that no light is lost or made.
 struct DirectionMask {
   std::array<std::uint8_t, 4> weights{};

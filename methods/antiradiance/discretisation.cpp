@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "methods/antiradiance/bin_transport.h"
@@ -23,9 +24,11 @@ constexpr double coarser = 1.5;  // times, from one oracle to the next
 constexpr double bytes_a_link = 20.0, bytes_a_masked_link = 52.0;
 constexpr int most_attempts = 24;
 constexpr double krylov_vectors = 8.0;
-constexpr double bytes_an_element = 1500.0;  // with all but links and tables (README.md, Memory)
-constexpr double many_more = 2.0;            // elements than asked for
-constexpr std::size_t most_apart = 64;       // objects whose trees accessibility keeps apart
+constexpr double bytes_an_element = 1500.0;      // with all but links and tables (README.md, Memory)
+constexpr double bytes_a_merged_vertex = 800.0;  // of a mesh whose vertices share elements, while their cells are cut
+constexpr double many_more = 2.0;                // elements than asked for
+constexpr int fewest_elements = 64;              // that a memory budget is kept to
+constexpr std::size_t most_apart = 64;           // objects whose trees accessibility keeps apart
 
 SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   SamplingMeshOptions options;
@@ -37,12 +40,67 @@ SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   return options;
 }
 
+/// With `merge` only where the scene's own vertices, before any face is cut, are more than the elements wanted.
+Settings with_merging_decided(const World& world, Settings settings) {
+  if (!settings.merge) return settings;
+  const double corners = 3.0 * static_cast<double>(world.scene().triangles.size());
+  SamplingMeshOptions uncut = mesh_options(world, settings);
+  uncut.edge_length = std::numeric_limits<double>::infinity();
+  // Two sides of each corner at most.
+  settings.merge = 2.0 * corners > settings.elements &&
+                   SamplingMesh(world, uncut).vertices().size() > static_cast<std::size_t>(settings.elements);
+  return settings;
+}
+
+/// Whether the mesh has more vertices than there are to be elements.
+bool merges(const SamplingMesh& mesh, const Settings& settings) {
+  return settings.merge && static_cast<double>(mesh.vertices().size()) > many_more * settings.elements;
+}
+
+Merging merging_of(const World& world, const SamplingMesh& mesh, const Settings& settings, Task& task) {
+  return merges(mesh, settings) ? merge_discs(world, mesh, static_cast<std::size_t>(settings.elements), task) : Merging{};
+}
+
 double mebibytes(double bytes) { return bytes / (1024.0 * 1024.0); }
 
-/// What many more elements than asked for come from.
-std::string own_vertices(std::size_t elements, const Settings& settings) {
-  if (static_cast<double>(elements) <= many_more * settings.elements) return {};
-  return fmt::format("the scene's own vertices make {} elements where {} were asked for", elements, settings.elements);
+std::size_t element_count(const SamplingMesh& mesh, const Settings& settings) {
+  return merges(mesh, settings) ? static_cast<std::size_t>(settings.elements) : mesh.vertices().size();
+}
+
+double bytes_needed(const SamplingMesh& mesh, const Settings& settings, double table_bytes) {
+  const auto vertices = static_cast<double>(mesh.vertices().size());
+  return static_cast<double>(element_count(mesh, settings)) * (bytes_an_element + table_bytes) +
+         (merges(mesh, settings) ? vertices * bytes_a_merged_vertex : 0.0);
+}
+
+/// The mesh, with as many elements as the budget has room for; `settings.elements` says how many that are.
+SamplingMesh mesh_within_budget(const World& world, double table_bytes, Settings& settings) {
+  SamplingMesh mesh(world, mesh_options(world, settings));
+  const bool coarsens = settings.merge;
+  settings = with_merging_decided(world, settings);
+  while (coarsens && settings.elements > fewest_elements) {
+    const double needed = bytes_needed(mesh, settings, table_bytes);
+    if (needed <= settings.bytes_at_most()) break;
+    settings.elements =
+        std::max(fewest_elements, static_cast<int>(settings.elements * std::min(0.9, settings.bytes_at_most() / needed)));
+    settings.merge = true;
+    settings = with_merging_decided(world, settings);
+    if (!merges(mesh, settings)) mesh = SamplingMesh(world, mesh_options(world, settings));
+  }
+  return mesh;
+}
+
+/// How many elements there are, where these are not about as many as were asked for, one for each vertex.
+std::string how_many(const SamplingMesh& mesh, const Settings& settings, int asked) {
+  const std::size_t elements = element_count(mesh, settings);
+  std::string text;
+  if (merges(mesh, settings)) text = fmt::format("{} vertices share about {} elements", mesh.vertices().size(), elements);
+  else if (static_cast<double>(elements) > many_more * asked)
+    text = fmt::format("the scene's own vertices make {} elements where {} were asked for", elements, asked);
+  if (settings.elements < asked)
+    text += fmt::format("{}the memory budget asked for coarser elements: {} instead of {}", text.empty() ? "" : "; ",
+                        settings.elements, asked);
+  return text;
 }
 
 /// Elements whose assumptions other surfaces break, counted in the task and told of.
@@ -67,37 +125,40 @@ std::string count_crossings(const Elements& elements, Task& task) {
 }  // namespace
 
 Discretisation::Discretisation(const World& world, const Settings& settings, Task& task)
-    : Discretisation(world, SamplingMesh(world, mesh_options(world, settings)), settings, task) {}
+    : Discretisation(world, SamplingMesh(world, mesh_options(world, settings)), with_merging_decided(world, settings), task) {}
 
 Discretisation::Discretisation(const World& world, SamplingMesh made, const Settings& settings, Task& task)
     : mesh(std::move(made)),
       elements(world, mesh, settings.cell_points,
-               {settings.backface_rays, settings.backface_rays > 0 && settings.mode == Mode::antiradiance}, task),
+               {settings.backface_rays, settings.backface_rays > 0 && settings.mode == Mode::antiradiance}, task,
+               merging_of(world, mesh, settings, task)),
       surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
       hierarchy(elements,
                 settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
                 task, settings.mode == Mode::accessibility && world.scene().objects.size() <= most_apart),
-      reconstruction(world, mesh, elements, settings.backface_rays > 0, task) {}
+      reconstruction(settings.mode == Mode::accessibility
+                         ? Reconstruction()
+                         : Reconstruction(world, mesh, elements, hierarchy, settings.backface_rays > 0, task)) {}
 
 double direction_table_bytes(const Settings& settings) {
   const auto bins = static_cast<std::size_t>(settings.bins) * static_cast<std::size_t>(settings.bins);
-  return static_cast<double>(BinTransport::bytes_for(1, bins)) + krylov_vectors * static_cast<double>(bins * sizeof(Light4));
+  return static_cast<double>(BinTransport::bytes_for(1, bins)) +
+         krylov_vectors * static_cast<double>(bins * channels * sizeof(float));
 }
 
 std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, double table_bytes, Task& task,
                                               StageReport& report) {
-  SamplingMesh mesh(world, mesh_options(world, settings));
-  const std::size_t count = mesh.vertices().size();
-  add_message(own_vertices(count, settings), report);
-  const double needed = static_cast<double>(count) * (bytes_an_element + table_bytes);
-  if (needed > settings.bytes_at_most()) {
+  Settings used = settings;
+  SamplingMesh mesh = mesh_within_budget(world, table_bytes, used);
+  add_message(how_many(mesh, used, settings.elements), report);
+  if (const double needed = bytes_needed(mesh, used, table_bytes); needed > settings.bytes_at_most()) {
     report.termination = Termination::out_of_budget;
     add_message(fmt::format("{} elements need {:.0f} MiB: raise the parameter memory_budget, or lower elements, bins or sectors",
-                            count, mebibytes(needed)),
+                            element_count(mesh, used), mebibytes(needed)),
                 report);
     return nullptr;
   }
-  auto parts = std::make_unique<Discretisation>(world, std::move(mesh), settings, task);
+  auto parts = std::make_unique<Discretisation>(world, std::move(mesh), used, task);
   task.count("elements", parts->elements.size());
   task.count("elements_inside_geometry", parts->elements.size() - parts->hierarchy.leaf_count());
   task.count("nodes", parts->hierarchy.size());

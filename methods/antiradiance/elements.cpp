@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/core/sampling.h"
 #include "common/finite_elements/inside_geometry.h"
@@ -12,6 +13,7 @@ namespace gibench::antiradiance {
 namespace {
 
 constexpr std::size_t element_chunk = 64;
+constexpr std::uint32_t most_parts = 16;  // of an element of several vertices; with more its points stand for its cell
 constexpr std::uint64_t point_stage = 0x70617274ULL, exposure_stage = 0x6578706fULL;
 
 /// m² of a quadrilateral by its diagonals: exact where it is planar.
@@ -50,38 +52,67 @@ bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int 
   });
 }
 
-Elements::Elements(const World& world, const SamplingMesh& mesh, int points, const CellTests& tests, Task& task)
-    : points_per_element_(static_cast<std::size_t>(points)) {
-  const std::size_t count = mesh.vertices().size();
+Elements::Elements(const World& world, const SamplingMesh& mesh, int points, const CellTests& tests, Task& task, Merging merging)
+    : points_per_element_(static_cast<std::size_t>(points)), merging_(std::move(merging)) {
+  const std::size_t count = merging_.merges() ? merging_.elements : mesh.vertices().size();
   discs_.resize(count);
+  sheets_.assign(count, 0);
+  black_back_.assign(count, 0);
   exposed_share_.assign(count, 0.0F);
   reach_.assign(count, 0.0F);
   marks_.assign(count, 0);
   points_.resize(count * points_per_element_);
-  for (const MeshVertex& vertex : mesh.vertices()) {
-    sheets_.push_back(2 * vertex.object + (vertex.front ? 0 : 1));
-    black_back_.push_back(world.scene().objects[vertex.object].two_sided ? 0 : 1);
-    area_ += static_cast<double>(vertex.area);
-  }
+  set_out(world, mesh);
   cut_cells(world, mesh);
   task.parallel_chunks(count, element_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto element = static_cast<std::uint32_t>(i);
-      place_points(world, mesh, element, task.seed());
-      find_exposed(world, mesh, element, tests, task.seed(), rays);
-      place_disc(mesh, element);
+      place_points(world, element, task.seed());
+      find_exposed(world, element, tests, task.seed(), rays);
+      place_disc(element);
       if (tests.looks_behind && backed_within(this->points(element), std::sqrt(discs_[i].area / pi), rays))
         marks_[i] |= backed_mark;
     }
   });
+  if (merging_.merges()) let_many_parts_go();
+}
+
+/// Of every element the side that it is on, and the disc of its whole cell.
+void Elements::set_out(const World& world, const SamplingMesh& mesh) {
+  std::vector<std::uint32_t> members(size(), 0);
+  std::vector<float> areas(size(), 0.0F);
+  for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
+    const MeshVertex& vertex = mesh.vertices()[v];
+    const std::uint32_t element = of_vertex(v);
+    area_ += static_cast<double>(vertex.area);
+    sheets_[element] = 2 * vertex.object + (vertex.front ? 0 : 1);
+    black_back_[element] = world.scene().objects[vertex.object].two_sided ? 0 : 1;
+    Disc& disc = discs_[element];
+    if (members[element]++ == 0) {
+      disc = {vertex.position, vertex.normal, areas[element] = vertex.area};
+      continue;
+    }
+    const float all = areas[element] + vertex.area;
+    if (all > 0.0F) disc.centre += (vertex.position - disc.centre) * (vertex.area / all);
+    disc.normal = (members[element] == 2 ? disc.normal * areas[element] : disc.normal) + vertex.normal * vertex.area;
+    areas[element] = all;
+  }
+  for (std::size_t element = 0; element < size(); ++element) {
+    if (members[element] < 2) continue;
+    marks_[element] |= several_mark;
+    Disc& disc = discs_[element];
+    const float length = glm::length(disc.normal);
+    disc.area = areas[element];
+    disc.normal = length > 0.0F ? disc.normal / length : Vec3(0.0F, 0.0F, 1.0F);
+  }
 }
 
 void Elements::cut_cells(const World& world, const SamplingMesh& mesh) {
-  part_begin_.assign(mesh.vertices().size() + 1, 0);
+  part_begin_.assign(size() + 1, 0);
   const auto corner_count = [](const MeshFace& face) { return face.is_quad() ? std::size_t{4} : std::size_t{3}; };
   for (const MeshFace& face : mesh.faces())
-    for (std::size_t k = 0; k < corner_count(face); ++k) ++part_begin_[face.corners[k] + 1];
+    for (std::size_t k = 0; k < corner_count(face); ++k) ++part_begin_[of_vertex(face.corners[k]) + 1];
   for (std::size_t i = 1; i < part_begin_.size(); ++i) part_begin_[i] += part_begin_[i - 1];
   parts_.resize(part_begin_.back());
   std::vector<std::uint32_t> next(part_begin_.begin(), part_begin_.end() - 1);
@@ -92,13 +123,13 @@ void Elements::cut_cells(const World& world, const SamplingMesh& mesh) {
     for (std::size_t k = 0; k < corners; ++k) middle += at(k) / static_cast<float>(corners);
     const Vec3 normal = world.normal(face.scene_triangle) * (face.front ? 1.0F : -1.0F);
     for (std::size_t k = 0; k < corners; ++k)
-      parts_[next[face.corners[k]]++] = {
+      parts_[next[of_vertex(face.corners[k])]++] = {
           {at(k), 0.5F * (at(k) + at(k + 1)), middle, 0.5F * (at(k) + at(k + corners - 1))}, normal, face.scene_triangle};
   }
 }
 
 /// Stratified over the parts by area; within a part by a rank-1 lattice with a shift of its own.
-void Elements::place_points(const World& world, const SamplingMesh& mesh, std::uint32_t element, std::uint64_t seed) {
+void Elements::place_points(const World& world, std::uint32_t element, std::uint64_t seed) {
   constexpr float golden = 0.61803398875F;
   const auto cell = parts(element);
   float total = 0.0F;
@@ -121,13 +152,13 @@ void Elements::place_points(const World& world, const SamplingMesh& mesh, std::u
     points_[element * points_per_element_ + k] = {sample.position + offset, sample.position - offset, sample.normal,
                                                   sample.triangle, true};
   }
-  const Vec3& centre = mesh.vertices()[element].position;
+  const Vec3& centre = discs_[element].centre;
   for (const CellPart& one : cell)
     for (const Vec3& corner : one.corners) reach_[element] = std::max(reach_[element], glm::length(corner - centre));
 }
 
-void Elements::find_exposed(const World& world, const SamplingMesh& mesh, std::uint32_t element, const CellTests& tests,
-                            std::uint64_t seed, RayStream& rays) {
+void Elements::find_exposed(const World& world, std::uint32_t element, const CellTests& tests, std::uint64_t seed,
+                            RayStream& rays) {
   const std::span<CellPoint> own = own_points(element);
   for (std::size_t k = 0; k < own.size(); ++k) {
     const bool covered = is_covered(world, own[k]);
@@ -135,10 +166,10 @@ void Elements::find_exposed(const World& world, const SamplingMesh& mesh, std::u
     own[k].exposed = !covered && is_exposed(world, own[k].origin, own[k].normal, tests.backface_rays,
                                             RandomStream(seed, exposure_stage, element * own.size() + k), rays);
   }
-  if (tests.backface_rays > 0) {
+  if (tests.backface_rays > 0 && (marks_[element] & several_mark) == 0) {
     std::vector<std::uint32_t> faces;
     for (const CellPart& part : parts(element)) faces.push_back(world.scene().triangle_face[part.triangle]);
-    if (part_cell(world, own, mesh.vertices()[element].position, faces, rays)) marks_[element] |= parted_mark;
+    if (part_cell(world, own, discs_[element].centre, faces, rays)) marks_[element] |= parted_mark;
   }
   const auto exposed = std::count_if(own.begin(), own.end(), [](const CellPoint& point) { return point.exposed; });
   exposed_share_[element] = static_cast<float>(exposed) / static_cast<float>(own.size());
@@ -146,21 +177,35 @@ void Elements::find_exposed(const World& world, const SamplingMesh& mesh, std::u
 
 /// At the vertex where its cell surrounds it. Where the cell lies to one side (at a border, at a crease, at another surface
 /// that cuts it off) half the disc would hang in the air or stick in a wall: there at the exposed part's middle.
-void Elements::place_disc(const SamplingMesh& mesh, std::uint32_t element) {
-  const MeshVertex& vertex = mesh.vertices()[element];
+void Elements::place_disc(std::uint32_t element) {
+  Disc& disc = discs_[element];
   Vec3 centre(0.0F);
   if (exposed_share_[element] < 1.0F) {
     float count = 0.0F;
     for (const CellPoint& point : points(element))
       if (point.exposed) centre += 0.5F * (point.origin + point.behind), count += 1.0F;
-    centre = count > 0.0F ? centre / count : vertex.position;
+    centre = count > 0.0F ? centre / count : disc.centre;
   } else {
     float total = 0.0F;
     for (const CellPart& part : parts(element)) centre += centroid_of(part) * area_of(part), total += area_of(part);
-    centre = total > 0.0F ? centre / total : vertex.position;
+    centre = total > 0.0F ? centre / total : disc.centre;
   }
-  reach_[element] += glm::length(centre - vertex.position);
-  discs_[element] = {centre, vertex.normal, vertex.area * exposed_share_[element]};
+  reach_[element] += glm::length(centre - disc.centre);
+  disc.centre = centre;
+  disc.area *= exposed_share_[element];
+}
+
+void Elements::let_many_parts_go() {
+  std::uint32_t kept = 0;
+  for (std::size_t element = 0; element < size(); ++element) {
+    const std::uint32_t begin = part_begin_[element], end = part_begin_[element + 1];
+    part_begin_[element] = kept;
+    if (end - begin > most_parts) continue;
+    for (std::uint32_t part = begin; part < end; ++part) parts_[kept++] = parts_[part];
+  }
+  part_begin_.back() = kept;
+  parts_.resize(kept);
+  parts_.shrink_to_fit();
 }
 
 std::size_t Elements::bytes() const {

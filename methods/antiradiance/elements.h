@@ -1,4 +1,4 @@
-/// Disc elements: one for every vertex of the sampling mesh, with the cell of surface that it stands for.
+/// Disc elements: one for every vertex of the sampling mesh or for several, with the cell of surface that it stands for.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include "common/method/task.h"
 #include "methods/antiradiance/cell_point.h"
 #include "methods/antiradiance/form_factor.h"
+#include "methods/antiradiance/merging.h"
 
 namespace gibench::antiradiance {
 
@@ -34,15 +35,21 @@ struct CellTests {
 /// least does not meet a black back.
 bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays);
 
-/// The elements in the order of the mesh's vertices; those that are wholly hidden take no part in transport.
+/// The elements in the order of the mesh's vertices, or of the merging; those that are wholly hidden take no part in transport.
 class Elements {
  public:
   /// `points` per cell. A point is not exposed where a coplanar face is in front of it, inside geometry, and where another
-  /// surface parts it from the vertex.
-  Elements(const World& world, const SamplingMesh& mesh, int points, const CellTests& tests, Task& task);
+  /// surface parts it from the vertex (of an element of one vertex: merging sees to the others).
+  Elements(const World& world, const SamplingMesh& mesh, int points, const CellTests& tests, Task& task, Merging merging = {});
 
   std::size_t size() const { return discs_.size(); }
-  /// Centre: of the exposed part of the cell; normal: the vertex's; area: the exposed part's.
+  /// Of a vertex of the mesh.
+  std::uint32_t of_vertex(std::uint32_t vertex) const { return merging_.merges() ? merging_.of_vertex[vertex] : vertex; }
+  const Merging& merging() const { return merging_; }
+  /// Where light gets to; known only where elements are merged.
+  Reached reached(std::uint32_t element) const { return merging_.merges() ? merging_.reached[element] : Reached::front; }
+  bool is_sealed(std::uint32_t element) const { return reached(element) == Reached::nowhere; }
+  /// Centre: of the exposed part of the cell; normal: the vertex's, or the cell's mean; area: the exposed part's.
   const Disc& disc(std::uint32_t element) const { return discs_[element]; }
   /// Twice the object, and one more on its back: what one tree of the hierarchy is made over.
   std::uint32_t sheet(std::uint32_t element) const { return sheets_[element]; }
@@ -57,6 +64,7 @@ class Elements {
   /// Whether light that arrives from behind ends here: on one-sided objects. A two-sided sheet has an element each side.
   bool black_back(std::uint32_t element) const { return black_back_[element] != 0; }
 
+  /// Empty where there are many: then the points stand for the cell.
   std::span<const CellPart> parts(std::uint32_t element) const {
     return std::span(parts_).subspan(part_begin_[element], part_begin_[element + 1] - part_begin_[element]);
   }
@@ -70,19 +78,21 @@ class Elements {
   std::size_t bytes() const;
 
  private:
+  void set_out(const World& world, const SamplingMesh& mesh);
   void cut_cells(const World& world, const SamplingMesh& mesh);
-  void place_points(const World& world, const SamplingMesh& mesh, std::uint32_t element, std::uint64_t seed);
+  void place_points(const World& world, std::uint32_t element, std::uint64_t seed);
   std::span<CellPoint> own_points(std::uint32_t element) {
     return std::span(points_).subspan(element * points_per_element_, points_per_element_);
   }
-  void find_exposed(const World& world, const SamplingMesh& mesh, std::uint32_t element, const CellTests& tests,
-                    std::uint64_t seed, RayStream& rays);
-  void place_disc(const SamplingMesh& mesh, std::uint32_t element);
+  void find_exposed(const World& world, std::uint32_t element, const CellTests& tests, std::uint64_t seed, RayStream& rays);
+  void place_disc(std::uint32_t element);
+  void let_many_parts_go();
 
-  static constexpr std::uint8_t covered_mark = 1, parted_mark = 2, backed_mark = 4;
+  static constexpr std::uint8_t covered_mark = 1, parted_mark = 2, backed_mark = 4, several_mark = 8;
 
   std::size_t points_per_element_;
-  std::vector<Disc> discs_;
+  Merging merging_;
+  std::vector<Disc> discs_;  ///< while they are made, of the whole cell, centred on the vertex
   std::vector<std::uint32_t> sheets_;
   std::vector<std::uint8_t> black_back_, marks_;
   std::vector<float> exposed_share_, reach_;

@@ -12,21 +12,42 @@ constexpr float one_level = 1.0F / 16.0F, two_levels = 1.0F / 5.0F;  // of the d
 constexpr std::size_t node_chunk = 64;
 constexpr std::size_t point_stride = 2;  // of a cell's points
 
+/// Form factor from a surface element to the cell of j by its points, each of which stands for a share of the disc; bounded at
+/// any distance.
+float factor_to_points(const Vec3& from, const Vec3& normal, const Elements& elements, std::uint32_t j, bool back_j) {
+  const auto points = elements.points(j);
+  float exposed = 0.0F, sum = 0.0F;
+  for (const CellPoint& point : points)
+    if (point.exposed) exposed += 1.0F;
+  const float area = elements.disc(j).area / std::max(1.0F, exposed);
+  for (const CellPoint& point : points) {
+    if (!point.exposed) continue;
+    const Vec3 d = (back_j ? point.behind : point.origin) - from;
+    const float squared = glm::dot(d, d), u = glm::dot(normal, d), v = glm::dot(point.normal, d) * (back_j ? 1.0F : -1.0F);
+    if (u > 0.0F && v > 0.0F) sum += u * v * area / (squared * (pi * squared + area));
+  }
+  return std::min(1.0F, sum);
+}
+
 /// Area of i times the mean form factor of its exposed points to the cell of j.
 float one_way(const Elements& elements, std::uint32_t i, bool back_i, std::uint32_t j, bool back_j) {
   const auto points = elements.points(i);
-  float sum = 0.0F, count = 0.0F;
+  float sum = 0.0F, of_points = 0.0F, count = 0.0F;
   for (std::size_t k = 0; k < points.size(); k += point_stride) {
     const CellPoint& point = points[k];
     if (!point.exposed) continue;
     count += 1.0F;
     const Vec3& from = back_i ? point.behind : point.origin;
     const Vec3 normal = back_i ? -point.normal : point.normal;
+    if (elements.parts(j).empty()) {
+      of_points += factor_to_points(from, normal, elements, j, back_j);
+      continue;
+    }
     for (const CellPart& part : elements.parts(j))
       if ((glm::dot(part.normal, from - part.corners[0]) < 0.0F) == back_j)
         sum += polygon_form_factor(from, normal, part.corners);
   }
-  return count > 0.0F ? elements.disc(i).area * elements.exposed_share(j) * sum / count : 0.0F;
+  return count > 0.0F ? elements.disc(i).area * (elements.exposed_share(j) * sum + of_points) / count : 0.0F;
 }
 
 bool nearly_coplanar(const Disc& a, const Disc& b) {

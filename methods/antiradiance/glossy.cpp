@@ -57,7 +57,7 @@ void GlossyReflection::reflect(std::size_t leaf, const Vec3& normal, std::span<c
                                float scale, float* exitant) const {
   LeafLobe lobe(*this, leaf, normal, projected);
   for (std::size_t in = 0; in < bins_.count(); ++in) {
-    const float* light = arriving + 4 * in;
+    const float* light = arriving + channels * in;
     if (projected[in] > 0.0F || (light[0] == 0.0F && light[1] == 0.0F && light[2] == 0.0F)) continue;
     lobe.reflect(-bins_.direction(in), Rgb(light[0], light[1], light[2]) * scale, exitant);
   }
@@ -73,7 +73,7 @@ Rgb GlossyReflection::radiance(std::uint32_t material, const Vec3& normal, const
   Rgb sum, white;
   for (std::size_t in = 0; in < bins_.count(); ++in) {
     if (projected[in] > 0.0F) continue;
-    const float* light = arriving + 4 * in;
+    const float* light = arriving + channels * in;
     const Rgb value = lobe.bsdf.evaluate(out, -frame.to_local(bins_.direction(in))).value;
     sum += value * Rgb(light[0], light[1], light[2]);
     white += value * -projected[in];
@@ -102,10 +102,10 @@ void LeafLobe::reflect(const Vec3& toward_light, const Rgb& irradiance, float* e
     sum += values_[k] * projected_[k];
   }
   const Rgb albedo = lobe_.albedo.at(in.z);
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < channels; ++c) {
     const auto channel = static_cast<int>(c);
     const float scale = corrected(sum[channel], albedo[channel]) * irradiance[channel];
-    for (std::size_t k = 0; k < bins_.size(); ++k) exitant[4 * bins_[k] + c] += values_[k][channel] * scale;
+    for (std::size_t k = 0; k < bins_.size(); ++k) exitant[channels * bins_[k] + c] += values_[k][channel] * scale;
   }
 }
 

@@ -22,7 +22,7 @@ class GlossyReflection {
 
   bool is_glossy(std::size_t leaf) const { return bsdf_of_leaf_[leaf] >= 0; }
 
-  /// Adds to `exitant` (radiance by bin, W/(m² sr), four floats each) `scale` times what the lobe makes of `arriving`
+  /// Adds to `exitant` (radiance by bin, W/(m² sr), three floats each) `scale` times what the lobe makes of `arriving`
   /// (irradiance by bin, W/m²) on the front of a leaf. `projected`: of projected_bins().
   void reflect(std::size_t leaf, const Vec3& normal, std::span<const float> projected, const float* arriving, float scale,
                float* exitant) const;

@@ -63,7 +63,7 @@ class PointLightGatherer {
 Vector glossy_direct_radiance(const World& world, const DirectSources& sources, const Elements& elements,
                               const Hierarchy& hierarchy, const GlossyReflection& glossy, const DirectionBins& bins, Task& task) {
   const SceneLights lights(world, sources.lighting, visits(sources.lighting));
-  const std::size_t row = bins.count() * 4;
+  const std::size_t row = bins.count() * channels;
   Vector radiance = Vector::Zero(static_cast<Eigen::Index>(hierarchy.leaf_count() * row));
   task.parallel_chunks(hierarchy.leaf_count(), leaf_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);

@@ -19,7 +19,7 @@ struct DirectSources {
   int samples = 4;               ///< of the lights at each point of a cell
 };
 
-/// Radiance of the leaves × bins, W/(m² sr), four floats a bin: the mean over a cell's exposed points of what the lobe makes of
+/// Radiance of the leaves × bins, W/(m² sr), three floats a bin: the mean over a cell's exposed points of what the lobe makes of
 /// light straight from the lights. Nothing at leaves without a lobe.
 Vector glossy_direct_radiance(const World& world, const DirectSources& sources, const Elements& elements,
                               const Hierarchy& hierarchy, const GlossyReflection& glossy, const DirectionBins& bins, Task& task);

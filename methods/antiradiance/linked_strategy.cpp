@@ -164,9 +164,10 @@ Rgb LinkedStrategy::indirect(const World& world, const SurfaceSample& sample, co
   Rgb sum;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!(at.weights[k] > 0.0F)) continue;
-    Rgb value = indirect_[at.elements[k]];
+    Rgb value = indirect_[at.vertices[k]];
     if (toward_viewer != nullptr)
-      value = value * material.diffuse / pi + lobe_radiance(world, at.elements[k], sample, *toward_viewer);
+      value = value * material.diffuse / pi +
+              lobe_radiance(world, parts_->elements.of_vertex(at.vertices[k]), sample, *toward_viewer);
     sum += value * at.weights[k];
   }
   if (!settings().clamp || std::min({sum.r, sum.g, sum.b}) >= 0.0F) return sum;

@@ -39,18 +39,24 @@ Reconstruction::Place Reconstruction::place(const World& world, const SamplingMe
   if (!mesh.covers(sample.triangle, front)) return result;
   const MeshPoint at = mesh.locate(sample.triangle, sample.barycentrics, front);
   result.triangle = at.triangle;
-  result.elements = mesh.triangles()[at.triangle].corners;
+  result.vertices = mesh.triangles()[at.triangle].corners;
   float sum = 0.0F;
   for (std::size_t k = 0; k < 3; ++k) {
-    result.weights[k] = elements.exposed_share(result.elements[k]) > 0.0F ? at.weights[k] : 0.0F;
-    result.in_doubt |= elements.exposed_share(result.elements[k]) < 1.0F;
+    const float exposed = elements.exposed_share(elements.of_vertex(result.vertices[k]));
+    result.weights[k] = exposed > 0.0F ? at.weights[k] : 0.0F;
+    result.in_doubt |= exposed < 1.0F;
     sum += result.weights[k];
   }
   for (float& weight : result.weights) weight = sum > 1e-6F ? weight / sum : 0.0F;
   return result;
 }
 
-Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, bool looks, Task& task) {
+Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, const Hierarchy& hierarchy,
+                               bool looks, Task& task) {
+  if (elements.merging().merges()) {
+    smooth_.emplace(world, mesh, elements, hierarchy, task);
+    return;
+  }
   if (looks) find_parted(world, mesh, elements, task);
   for (std::uint32_t element = 0; element < elements.size(); ++element) {
     if (!(elements.exposed_share(element) > 0.0F)) continue;
@@ -65,13 +71,13 @@ Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, con
       parted |= is_parted(at.triangle);
       count += 1.0F;
       for (std::size_t k = 0; k < 3; ++k) {
-        if (at.elements[k] == element) {
+        if (at.vertices[k] == element) {
           row.own += at.weights[k];
           continue;
         }
         const auto known = std::find_if(weights_.begin() + row.begin, weights_.end(),
-                                        [&](const Weight& weight) { return weight.element == at.elements[k]; });
-        if (known == weights_.end()) weights_.push_back({at.elements[k], at.weights[k]});
+                                        [&](const Weight& weight) { return weight.element == at.vertices[k]; });
+        if (known == weights_.end()) weights_.push_back({at.vertices[k], at.weights[k]});
         else known->share += at.weights[k];
       }
     }
@@ -113,7 +119,7 @@ bool Reconstruction::leave_hidden_out(const World& world, const Elements& elemen
   float sum = 0.0F;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!(place.weights[k] > 0.0F)) continue;
-    const auto points = elements.points(place.elements[k]);
+    const auto points = elements.points(elements.of_vertex(place.vertices[k]));
     const bool sees = std::any_of(points.begin(), points.end(), [&](const CellPoint& point) {
       return point.exposed && nothing_between(world, here, point, face, rays);
     });
@@ -125,6 +131,7 @@ bool Reconstruction::leave_hidden_out(const World& world, const Elements& elemen
 }
 
 std::vector<Rgb> Reconstruction::vertex_values(std::span<const Rgb> means) const {
+  if (smooth_) return smooth_->vertex_values(means);
   std::vector<Rgb> values(means.begin(), means.end());
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const Row& row : rows_) {

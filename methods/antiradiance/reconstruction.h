@@ -3,32 +3,38 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "common/core/rgb.h"
 #include "methods/antiradiance/elements.h"
+#include "methods/antiradiance/smooth_weights.h"
 
 namespace gibench::antiradiance {
 
 /// Linear over the mesh's triangles, elements inside geometry left out: continuous, and nothing leaks from one object or from
 /// one side of a crease to another. An element's value is its cell's mean. Where the cell surrounds the vertex it is the
 /// vertex's value as well; at borders and creases it is that of a point further in, so that there the vertex's value is
-/// made such that the interpolated function has the cell's mean.
+/// made such that the interpolated function has the cell's mean. The vertices of merged elements are blended (smooth_weights.h).
 class Reconstruction {
  public:
   Reconstruction() = default;
   /// No argument is kept. `looks`: rays tell which of the mesh's triangles other surfaces part.
-  Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, bool looks, Task& task);
+  Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, const Hierarchy& hierarchy, bool looks,
+                 Task& task);
 
-  /// Values at the vertices from the elements' means (both one for each vertex); raised at most twofold, not turned in sign.
+  /// Values at the vertices from the elements' means; raised at most twofold, not turned in sign.
   std::vector<Rgb> vertex_values(std::span<const Rgb> means) const;
 
-  std::size_t bytes() const { return rows_.capacity() * sizeof(Row) + weights_.capacity() * sizeof(Weight) + parted_.capacity(); }
+  std::size_t bytes() const {
+    return rows_.capacity() * sizeof(Row) + weights_.capacity() * sizeof(Weight) + parted_.capacity() +
+           (smooth_ ? smooth_->bytes() : 0);
+  }
 
   /// The mesh's corners and their weights at a sample; all weights zero where there is nothing to interpolate.
   struct Place {
-    std::array<std::uint32_t, 3> elements{};
+    std::array<std::uint32_t, 3> vertices{};
     std::array<float, 3> weights{};
     std::uint32_t triangle = 0;  ///< of the mesh
     bool in_doubt = false;       ///< an element here reaches inside geometry: so may the sample
@@ -55,7 +61,8 @@ class Reconstruction {
 
   std::vector<Row> rows_;  ///< of the elements beside their vertex
   std::vector<Weight> weights_;
-  std::vector<std::uint8_t> parted_;  ///< the mesh's triangles; empty: none
+  std::optional<SmoothWeights> smooth_;  ///< of merged elements
+  std::vector<std::uint8_t> parted_;     ///< the mesh's triangles; empty: none
 };
 
 }  // namespace gibench::antiradiance

@@ -18,7 +18,12 @@ const ParameterTable<Settings>& table() {
                  {"antiradiance", Mode::antiradiance}},
                 "ambient accessibility; one bounce of discs; traced visibility; nearest of a bin; negative light instead of "
                 "visibility"),
-      parameter("elements", &Settings::elements, 1, 4e6, "disc elements wanted: faces are cut until there are about so many"),
+      parameter("elements", &Settings::elements, 1, 4e6,
+                "disc elements wanted: faces are cut until there are about so many, or vertices share discs until there are"),
+      parameter("merge", &Settings::merge,
+                "vertices share discs where the scene's own are more than `elements`, and twice as many when cut; false: each "
+                "has its own, as "
+                "in the text"),
       parameter("crease_degrees", &Settings::crease_degrees, 0.0, 180.0, "faces that turn by more share no vertex, degrees"),
       parameter("cell_points", &Settings::cell_points, 4, 64, "points of an element's cell that rays start from"),
       parameter("backface_rays", &Settings::backface_rays, 0, 1024,

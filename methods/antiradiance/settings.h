@@ -16,6 +16,7 @@ struct Settings {
   Mode mode = Mode::antiradiance;
   // Elements.
   int elements = 4096;        ///< wanted
+  bool merge = true;          ///< where the scene's own vertices are many more than `elements`
   float crease_degrees = 40;  ///< vertices are split where faces turn by more
   int cell_points = 16;       ///< points of a cell, for rays and near form factors
   int backface_rays = 8;      ///< all must meet backs for a point to count as inside geometry

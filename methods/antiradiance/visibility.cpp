@@ -101,13 +101,15 @@ class Spaces {
 
 /// One element of the front of every scene triangle, and one of its back, or of the other side where a side has none; the
 /// mesh's faces join it with all others there.
-std::vector<std::array<std::uint32_t, 2>> element_of_sides(const World& world, const SamplingMesh& mesh) {
+std::vector<std::array<std::uint32_t, 2>> element_of_sides(const World& world, const SamplingMesh& mesh,
+                                                           const Elements& elements) {
   std::vector<std::array<std::uint32_t, 2>> result(world.scene().triangles.size(), {no_element, no_element});
   for (std::uint32_t triangle = 0; triangle < result.size(); ++triangle)
     for (const bool front : {true, false}) {
       const bool side = mesh.covers(triangle, front) ? front : !front;
       if (mesh.covers(triangle, side))
-        result[triangle][front ? 0 : 1] = mesh.triangles()[mesh.locate(triangle, Vec2(1.0F / 3.0F), side).triangle].corners[0];
+        result[triangle][front ? 0 : 1] =
+            elements.of_vertex(mesh.triangles()[mesh.locate(triangle, Vec2(1.0F / 3.0F), side).triangle].corners[0]);
     }
   return result;
 }
@@ -130,9 +132,12 @@ Surroundings look_around(const World& world, const SamplingMesh& mesh, const Ele
   Surroundings found;
   found.closed.assign(elements.size(), 0.0F);
   Spaces spaces(elements.size());
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    if (elements.is_sealed(a) == elements.is_sealed(b)) spaces.join(a, b);
+  };
   for (const MeshFace& face : mesh.faces())
-    for (const std::uint32_t corner : face.corners) spaces.join(face.corners[0], corner);
-  const std::vector<std::array<std::uint32_t, 2>> sides = element_of_sides(world, mesh);
+    for (const std::uint32_t corner : face.corners) join(elements.of_vertex(face.corners[0]), elements.of_vertex(corner));
+  const std::vector<std::array<std::uint32_t, 2>> sides = element_of_sides(world, mesh, elements);
   task.parallel_chunks(elements.size(), element_chunk, [&](const ChunkRange& range) {
     RayStream stream = task.rays(world);
     for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -155,7 +160,7 @@ Surroundings look_around(const World& world, const SamplingMesh& mesh, const Ele
         if (seen.lit_side) ++closed;
         const bool front = glm::dot(seen.normal, world.normal(seen.triangle)) >= 0.0F;
         const std::uint32_t met = sides[seen.triangle][front ? 0 : 1];
-        if (met != no_element) spaces.join(element, met);
+        if (met != no_element) join(element, met);
       }
       found.closed[i] = tried > 0 ? static_cast<float>(closed) / static_cast<float>(tried) : 0.0F;
     }

@@ -17,55 +17,15 @@
 #include "common/method/method_session.h"
 #include "common/scene/made_scenes.h"
 #include "methods/antiradiance/settings.h"
+#include "tests/methods/antiradiance/solved.h"
 
 namespace gibench {
 namespace {
 
-using Setting = std::vector<std::pair<std::string, std::string>>;
-
-class Solved {
- public:
-  Solved(Scene scene, Setting settings) : world_(std::move(scene)) {
-    const MethodEntry entry = antiradiance_entry();
-    method_ = make_session(entry, Parameters(entry.schema, settings));
-    const EffectPlan plan = plan_effects(analyse_effects(world_), method_->capabilities().effects);
-    prepared = method_->prepare(world_, plan, task_);
-    if (succeeded(prepared.termination)) lit = method_->light(Lighting::of(world_.scene()), task_);
-  }
-  std::vector<Rgb> irradiance(const std::vector<SurfaceSample>& samples) {
-    std::vector<Rgb> indirect(samples.size());
-    shaded = method_->shade({Quantity::irradiance, samples, {}}, {{}, indirect, {}, {}, {}}, task_);
-    EXPECT_TRUE(succeeded(shaded.termination)) << shaded.message;
-    return indirect;
-  }
-  std::vector<SurfaceSample> samples(std::size_t count = 2000) const { return area_uniform_samples(world_, count, 5); }
-  std::vector<SurfaceSample> samples_of_object(std::uint32_t object, std::size_t count) const {
-    std::vector<SurfaceSample> found;
-    for (const SurfaceSample& sample : samples(count))
-      if (sample.object == object) found.push_back(sample);
-    return found;
-  }
-  const World& world() const { return world_; }
-  StageReport prepared, lit, shaded;
-
- private:
-  World world_;
-  Task task_;
-  std::unique_ptr<MethodSession> method_;
-};
-
-double mean(const std::vector<Rgb>& values) {
-  double sum = 0.0;
-  for (const Rgb& value : values) sum += static_cast<double>(value.g);
-  return sum / static_cast<double>(values.size());
-}
-
-/// Root of the mean squared difference, over the mean of the second.
-double difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(static_cast<double>(a[i].g - b[i].g), 2.0);
-  return std::sqrt(sum / static_cast<double>(a.size())) / mean(b);
-}
+using antiradiance::difference;
+using antiradiance::mean;
+using antiradiance::Setting;
+using antiradiance::Solved;
 
 /// A closed room that glows, albedo ρ, with a block on its floor and one in the air.
 Scene furnace(float albedo) {
@@ -185,6 +145,7 @@ TEST(Antiradiance, PaperPresetLeavesOutWhatTheTextDoesNotHave) {
   EXPECT_EQ(settings.sectors, 1);
   EXPECT_EQ(settings.bin_winner, antiradiance::BinWinner::links);
   EXPECT_FALSE(settings.near_cells);
+  EXPECT_FALSE(settings.merge);
 }
 
 TEST(Antiradiance, ConvexRoomKeepsNoDirectionsAndTracesNoVisibility) {
@@ -278,7 +239,7 @@ TEST(Antiradiance, SlabsThinnerThanAnElementAreReported) {
 TEST(Antiradiance, WhatDoesNotFitIsRefusedBeforeAnyRay) {
   Scene scene = made::random_triangles(2000, 1.0F, 0.1F, 1);
   scene.lights = {PointLight{Vec3(0.5F), Rgb(1.0F)}};
-  Solved solved(std::move(scene), {{"elements", "100"}, {"memory_budget", "4"}});
+  Solved solved(std::move(scene), {{"elements", "100"}, {"memory_budget", "4"}, {"merge", "false"}});
   EXPECT_EQ(solved.prepared.termination, Termination::out_of_budget);
   EXPECT_NE(solved.prepared.message.find("memory_budget"), std::string::npos) << solved.prepared.message;
   EXPECT_NE(solved.prepared.message.find("where 100 were asked for"), std::string::npos) << solved.prepared.message;

@@ -122,8 +122,8 @@ TEST(Glossy, NoLobeGivesBackMoreThanItsAlbedo) {
     const SurfaceBsdf bsdf(metal);
     for (std::size_t in = 0; in < bins.count(); ++in) {
       if (projected[in] > 0.0F) continue;
-      std::vector<float> arriving(4 * bins.count()), exitant(arriving);
-      for (std::size_t c = 0; c < 3; ++c) arriving[4 * in + c] = 1.0F;
+      std::vector<float> arriving(channels * bins.count()), exitant(arriving);
+      for (std::size_t c = 0; c < 3; ++c) arriving[channels * in + c] = 1.0F;
       glossy.reflect(0, normal, projected, arriving.data(), 1.0F, exitant.data());
       // Sampled in proportion to the lobe, the albedo is the mean of the weights.
       const Vec3 from = frame.to_local(-bins.direction(in));
@@ -139,7 +139,7 @@ TEST(Glossy, NoLobeGivesBackMoreThanItsAlbedo) {
         double given_back = 0.0;
         for (std::size_t out = 0; out < bins.count(); ++out)
           if (projected[out] > 0.0F)
-            given_back += static_cast<double>(exitant[4 * out + static_cast<std::size_t>(c)] * projected[out]);
+            given_back += static_cast<double>(exitant[channels * out + static_cast<std::size_t>(c)] * projected[out]);
         EXPECT_LE(given_back, static_cast<double>(albedo[c]) + 0.01) << roughness << ", bin " << in << ", channel " << c;
       }
     }
@@ -264,12 +264,12 @@ TEST(Glossy, LobeOverBinsGivesBackItsAlbedo) {
   const SurfaceBsdf bsdf(phong(10.0F));
   for (std::size_t in = 0; in < bins.count(); ++in) {
     if (projected[in] > 0.0F) continue;
-    std::vector<float> arriving(4 * bins.count()), exitant(arriving);
-    for (std::size_t c = 0; c < 3; ++c) arriving[4 * in + c] = 1.0F;
+    std::vector<float> arriving(channels * bins.count()), exitant(arriving);
+    for (std::size_t c = 0; c < 3; ++c) arriving[channels * in + c] = 1.0F;
     glossy.reflect(0, normal, projected, arriving.data(), 1.0F, exitant.data());
     double given_back = 0.0, exact = 0.0;
     for (std::size_t out = 0; out < bins.count(); ++out)
-      if (projected[out] > 0.0F) given_back += static_cast<double>(exitant[4 * out] * projected[out]);
+      if (projected[out] > 0.0F) given_back += static_cast<double>(exitant[channels * out] * projected[out]);
     constexpr int strata = 64;
     for (int k = 0; k < strata * strata; ++k) {
       const Vec2 at{(static_cast<float>(k % strata) + 0.5F) / strata, (static_cast<float>(k / strata) + 0.5F) / strata};

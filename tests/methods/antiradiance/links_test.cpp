@@ -158,7 +158,7 @@ struct HiddenSender {
 TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
   const HiddenSender scene;
   Task task;
-  const Settings rule = settings({{"elements", "20"}, {"closure_rays", "0"}});
+  const Settings rule = settings({{"elements", "20"}, {"closure_rays", "0"}, {"merge", "false"}});
   const Discretisation parts(*scene.world, rule, task);
   // A node over the large square and some of the small ones, and one of the receiver.
   const auto node_of = [&](std::uint32_t sheet) {
