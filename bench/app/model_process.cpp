@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -13,7 +14,6 @@
 #include "bench/app/child_guard.h"
 #include "bench/measure/cancellation.h"
 #include "bench/study/child_process.h"
-#include "common/core/atomic_file.h"
 #include "common/core/error.h"
 #include "common/core/find_file.h"
 #include "common/scene_io/models/model_bytes.h"
@@ -75,10 +75,10 @@ Model model_of_answer(std::string_view answer, const std::string& place) {
 }
 
 Model read_in_child(const fs::path& file, const std::string& place, bool with_materials, const ModelLimits& limits) {
-  const MemoryFile answer, messages;
+  const MemoryFile answer;
   const std::vector<std::string> arguments{std::string(call), file.string(), place, with_materials ? "materials" : "geometry"};
   const ChildLimits child_limits{static_cast<double>(limits.seconds), std::uint64_t{limits.mebibytes} << 20U};
-  const ChildResult child = run_child(arguments, child_limits, {answer.path(), messages.path(), {}});
+  const ChildResult child = run_child(arguments, child_limits, {answer.path(), "/dev/null", {}});
   stop_if_cancelled();
   switch (child.end) {
     case ChildEnd::timed_out:
@@ -133,7 +133,7 @@ std::optional<int> answer_as_model_process(int argc, char** argv, const ModelRea
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   const int answer = dup(STDOUT_FILENO);
-  dup2(STDERR_FILENO, STDOUT_FILENO);  // libraries may print
+  dup2(STDERR_FILENO, STDOUT_FILENO);  // libraries may print: into nothing
   return write_all(answer, answer_of(reader, argv)) ? 0 : 4;
 }
 

@@ -88,6 +88,24 @@ TEST(ModelProcess, ThatCrashesIsOneLine) {
   EXPECT_FALSE(shop.has("out"));
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+// Assimp follows nodes by recursion: these are deeper than its stack.
+TEST(ModelProcess, ThatAssimpDoesNotSurviveIsOneLine) {
+  const Workshop shop;
+  std::string text = dae();
+  const std::string begin = R"(<node id="n">)", end = R"(</node><node id="k">)";
+  text.insert(text.find(end), repeated("</node>", 60000));
+  text.insert(text.find(begin) + begin.size(), repeated("<node>", 60000));
+  shop.write("deep.dae", text);
+  expect_bad_input(shop.gibench({"check", "deep.dae"}, "ulimit -s 2048;"),
+                   {"deep.dae: crashes the reader of its format (", "); convert it to glTF, which gibench reads itself"});
+}
+
 TEST(ModelProcess, ThatNeverEndsIsOneLine) {
   const Workshop shop;
   shop.write("room.fbx", std::string("loop"));
