@@ -89,7 +89,7 @@ void print_check(const CheckRecord& check) {
 }
 
 struct CheckOptions {
-  std::string scene;
+  SceneOptions scene;
   MethodOptions method;
   std::optional<int> bounces;
   PlanOptions plan;
@@ -133,7 +133,7 @@ void add_check(CLI::App& app, Call& call) {
   verb->group(verb_group::looking);
   set_pages(*verb, {"docs/own-scene.md", "docs/choosing-a-method.md"});
   const auto options = std::make_shared<CheckOptions>();
-  add_scene_argument(*verb, options->scene);
+  add_scene_options(*verb, options->scene);
   verb->add_option("--method", options->method.method, "Only this method's plan")->type_name(value_kind::method);
   verb->add_option("--preset", options->method.preset, "A named set of that method's parameters, which --set overrides")
       ->type_name(value_kind::preset);

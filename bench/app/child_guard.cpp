@@ -11,11 +11,11 @@
 
 namespace gibench {
 
-void die_with_parent_study() {
+void die_with_parent() {
   const char* parent = std::getenv(parent_variable);
   if (!parent) return;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (std::atol(parent) != static_cast<long>(getppid())) _exit(137);  // the study ended before the line above
+  if (std::atol(parent) != static_cast<long>(getppid())) _exit(137);  // it ended before the line above
 }
 
 void tell_parent(const ErrorRecord& error) {

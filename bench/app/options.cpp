@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "bench/app/model_process.h"
 #include "bench/app/value_kinds.h"
 #include "bench/measure/measuring_fields.h"
 #include "common/core/error.h"
@@ -44,10 +45,19 @@ void add_field(CLI::App& verb, const OptionField<Options>& field, Options& optio
 
 }  // namespace
 
-void add_scene_argument(CLI::App& verb, std::string& scene) {
-  verb.add_option("scene", scene, "Scene file, model file or the name of a known scene")
+void add_scene_options(CLI::App& verb, SceneOptions& options) {
+  verb.add_option("scene", options.name, "Scene file, model file or the name of a known scene")
       ->type_name(value_kind::scene)
       ->required();
+  add_model_limits(verb, options.limits);
+}
+
+void add_model_limits(CLI::App& verb, ModelLimits& limits) {
+  for (const auto& field : model_limit_fields()) add_field(verb, field, limits);
+}
+
+LoadedScene load_world(const SceneOptions& options, int threads) {
+  return load_world(options.name, threads, reader_in_child(options.limits));
 }
 
 void add_method_options(CLI::App& verb, MethodOptions& options) {

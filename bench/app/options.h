@@ -1,7 +1,9 @@
 /// The command-line options that several verbs share: where methods are asked, and what they may simulate.
 #pragma once
 
+#include "bench/measure/loaded_scene.h"
 #include "bench/measure/measuring.h"
+#include "bench/measure/model_limits.h"
 #include "bench/measure/plan_options.h"
 #include "bench/measure/relight_options.h"
 #include "bench/measure/run_method.h"
@@ -12,8 +14,15 @@ class App;
 
 namespace gibench {
 
-/// The scene, which every verb that has one names first.
-void add_scene_argument(CLI::App& verb, std::string& scene);
+/// The scene, which every verb that has one names first, and the limits of a model that is one: --model-seconds, --model-memory
+struct SceneOptions {
+  std::string name;
+  ModelLimits limits;
+};
+void add_scene_options(CLI::App& verb, SceneOptions& options);
+void add_model_limits(CLI::App& verb, ModelLimits& limits);
+/// As load_world() does; a bare model of a format that gibench does not read itself in a process of its own.
+LoadedScene load_world(const SceneOptions& options, int threads);
 /// --method, --preset and --set
 struct MethodOptions {
   std::string method, preset;

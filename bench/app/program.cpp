@@ -11,6 +11,7 @@
 #include "bench/app/call_tree.h"
 #include "bench/app/child_guard.h"
 #include "bench/app/exit_status.h"
+#include "bench/app/model_process.h"
 #include "bench/app/signals.h"
 #include "bench/app/verbs.h"
 #include "bench/measure/run_method.h"
@@ -98,7 +99,8 @@ int guarded(int argc, char** argv, const std::vector<MethodEntry>& own_methods) 
 }  // namespace
 
 int run_program(int argc, char** argv, const std::vector<MethodEntry>& own_methods) {
-  die_with_parent_study();
+  if (const auto status = answer_as_model_process(argc, argv)) return *status;
+  die_with_parent();
   listen_for_cancellation();
   const int status = guarded(argc, argv, own_methods);
   // Answers that could not be written to stdout (a full disk) count as failure.

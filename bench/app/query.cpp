@@ -22,7 +22,7 @@ namespace gibench {
 namespace {
 
 struct QueryOptions {
-  std::string scene;
+  SceneOptions scene;
   MethodOptions method;
   std::filesystem::path points, out;
   std::optional<int> bounces;
@@ -119,7 +119,7 @@ void add_query(CLI::App& app, Call& call) {
   verb->group(verb_group::computing);
   set_pages(*verb, {"docs/queries.md"});
   const auto options = std::make_shared<QueryOptions>();
-  add_scene_argument(*verb, options->scene);
+  add_scene_options(*verb, options->scene);
   add_method_options(*verb, options->method);
   verb->add_option("--points", options->points, "JSON file of queries")->type_name(value_kind::file)->required();
   verb->add_option("--out", options->out, "JSON file for the answers; without it they go to stdout")->type_name(value_kind::file);

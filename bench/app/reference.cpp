@@ -32,7 +32,7 @@ constexpr std::uint64_t default_samples = 64;        // paths per value and repl
 constexpr std::uint64_t most_samples = 1ULL << 20U;  // with a target and no bound of the user's
 
 struct ReferenceOptions {
-  std::string scene;
+  SceneOptions scene;
   MeasuringOptions measuring;
   std::optional<std::uint64_t> samples_per_replica;
   std::optional<double> target_error;
@@ -191,7 +191,7 @@ void add_reference(CLI::App& app, Call& call) {
   verb->group(verb_group::measuring);
   set_pages(*verb, {"docs/own-scene.md", "docs/reading-errors.md"});
   const auto options = std::make_shared<ReferenceOptions>();
-  add_scene_argument(*verb, options->scene);
+  add_scene_options(*verb, options->scene);
   verb->add_option("--target-error", options->target_error, "Relative standard error of the indirect light at which to stop")
       ->check(CLI::Range(1e-6, 10.0));
   verb->add_option(

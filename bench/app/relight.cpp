@@ -25,7 +25,7 @@ namespace gibench {
 namespace {
 
 struct RelightCall {
-  std::string scene;
+  SceneOptions scene;
   MethodOptions method;
   std::filesystem::path lights, out;
   std::optional<int> bounces;
@@ -190,7 +190,7 @@ void add_relight(CLI::App& app, Call& call) {
   verb->group(verb_group::computing);
   set_pages(*verb, {"scenes/README.md", "docs/files.md"});
   const auto options = std::make_shared<RelightCall>();
-  add_scene_argument(*verb, options->scene);
+  add_scene_options(*verb, options->scene);
   add_method_options(*verb, options->method);
   verb->add_option("--lights", options->lights, "JSON file of the moving lights; see scenes/README.md")
       ->type_name(value_kind::file)

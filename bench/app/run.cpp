@@ -27,7 +27,7 @@ namespace gibench {
 namespace {
 
 struct RunOptions {
-  std::string scene;
+  SceneOptions scene;
   MethodOptions method;
   MeasuringOptions measuring;
   PlanOptions plan;
@@ -51,7 +51,7 @@ std::optional<Reference> stored_reference(const RunOptions& options, const Scene
   const std::string folder = named ? options.reference : options.store;
   auto found = ReferenceStore(folder).find(scene, question_of(scene, options.measuring));
   const std::string command =
-      fmt::format("gibench reference {} --references {}{}", options.scene, folder, command_line_of(options.measuring));
+      fmt::format("gibench reference {} --references {}{}", options.scene.name, folder, command_line_of(options.measuring));
   if (found && !is_wanted(options, scene, *found))
     throw InputError(
         "--reference-state",
@@ -69,7 +69,7 @@ std::string store_of(const RunOptions& options) { return options.reference == "a
 std::string command_for(const RunOptions& options, const std::string& light_paths) {
   MeasuringOptions measuring = options.measuring;
   measuring.light_paths = light_paths, measuring.bounces.reset();
-  return fmt::format("gibench reference {} --references {}{}", options.scene, store_of(options), command_line_of(measuring));
+  return fmt::format("gibench reference {} --references {}{}", options.scene.name, store_of(options), command_line_of(measuring));
 }
 
 std::optional<Reference> reference_of(const RunOptions& options, const Scene& scene, const std::string& light_paths) {
@@ -200,7 +200,7 @@ void add_run(CLI::App& app, Call& call) {
   verb->group(verb_group::computing);
   set_pages(*verb, {"docs/own-scene.md", "docs/files.md"});
   const auto options = std::make_shared<RunOptions>();
-  add_scene_argument(*verb, options->scene);
+  add_scene_options(*verb, options->scene);
   add_method_options(*verb, options->method);
   add_measuring_options(*verb, options->measuring);
   add_plan_options(*verb, options->plan);

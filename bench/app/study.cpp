@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "bench/app/call_tree.h"
+#include "bench/app/options.h"
 #include "bench/app/print_json.h"
 #include "bench/app/value_kinds.h"
 #include "bench/app/verbs.h"
@@ -112,6 +113,7 @@ void add_study(CLI::App& app, Call& call) {
   verb->add_option("--jobs", options->settings.jobs, "Runs at a time; more than 1 disturbs the timings")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  add_model_limits(*verb, options->settings.model_limits);
   verb->add_option("--shard", options->shard, "i/n: only the runs whose place in the plan mod n is i")->capture_default_str();
   verb->callback([&call, options] { call.action = [&call, options] { return study(*options, call.common); }; });
 }

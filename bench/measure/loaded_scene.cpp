@@ -23,10 +23,10 @@ std::filesystem::path existing_scene(const std::string& name) {
 
 }  // namespace
 
-LoadedScene load_world(const std::string& name, int threads) {
+LoadedScene load_world(const std::string& name, int threads, const ModelReader& read_bare_model) {
   const auto start = std::chrono::steady_clock::now();
   LoadedScene loaded;
-  loaded.world = std::make_unique<World>(load_scene(existing_scene(name)), threads);
+  loaded.world = std::make_unique<World>(load_scene(existing_scene(name), read_bare_model), threads);
   loaded.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return loaded;
 }

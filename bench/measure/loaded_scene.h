@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/ray/world.h"
+#include "common/scene_io/models/read_model.h"
 
 namespace gibench {
 
@@ -15,8 +16,8 @@ struct LoadedScene {
   const Scene& scene() const { return world->scene(); }
 };
 
-/// `name`: a path or the name of a known scene (bench/measure/scene_search.h). Throws InputError with file, JSON path and how to
-/// fix it.
-LoadedScene load_world(const std::string& name, int threads);
+/// `name`: a path or the name of a known scene (bench/measure/scene_search.h). `read_bare_model`: as load_scene() takes it.
+/// Throws InputError with file, JSON path and how to fix it.
+LoadedScene load_world(const std::string& name, int threads, const ModelReader& read_bare_model = read_model);
 
 }  // namespace gibench

@@ -40,7 +40,7 @@ std::vector<std::string> child_environment(const std::filesystem::path& error_fi
     if (const std::string_view text(*variable); !text.starts_with(parent) && !text.starts_with(error))
       variables.emplace_back(text);
   variables.push_back(parent + std::to_string(getpid()));
-  variables.push_back(error + error_file.string());
+  if (!error_file.empty()) variables.push_back(error + error_file.string());
   return variables;
 }
 
@@ -56,15 +56,14 @@ struct FileActions {
   }
 };
 
-pid_t spawn(const std::vector<std::string>& arguments, const std::filesystem::path& out, const std::filesystem::path& error,
-            const std::filesystem::path& error_file) {
+pid_t spawn(const std::vector<std::string>& arguments, const ChildFiles& redirected) {
   std::vector<std::string> texts{"gibench"};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = child_environment(error_file);
+  std::vector<std::string> variables = child_environment(redirected.error_record);
   FileActions files;
   posix_spawn_file_actions_addopen(&files.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  files.send(STDOUT_FILENO, out);
-  files.send(STDERR_FILENO, error);
+  files.send(STDOUT_FILENO, redirected.out);
+  files.send(STDERR_FILENO, redirected.error);
   pid_t process = 0;
   const int failed =
       posix_spawn(&process, "/proc/self/exe", &files.actions, nullptr, pointers(texts).data(), pointers(variables).data());
@@ -133,17 +132,20 @@ class Watch {
 
 }  // namespace
 
+ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits, const ChildFiles& files) {
+  std::error_code ignored;
+  std::filesystem::remove(files.error_record, ignored);
+  ChildResult result = Watch(spawn(arguments, files), limits).until_end();
+  result.out = read_file(files.out);
+  result.last_line = last_line(read_file(files.error));
+  result.error = read_error_record(files.error_record);
+  return result;
+}
+
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits, const std::filesystem::path& scratch,
                       const std::string& name) {
-  const std::filesystem::path out = scratch / (name + ".out"), error = scratch / (name + ".err"),
-                              error_file = scratch / (name + ".error");
-  std::error_code ignored;
-  std::filesystem::remove(error_file, ignored);
-  ChildResult result = Watch(spawn(arguments, out, error, error_file), limits).until_end();
-  result.out = read_file(out);
-  result.last_line = last_line(read_file(error));
-  result.error = read_error_record(error_file);
-  return result;
+  return run_child(arguments, limits,
+                   ChildFiles{scratch / (name + ".out"), scratch / (name + ".err"), scratch / (name + ".error")});
 }
 
 std::string describe_signal(int signal) {

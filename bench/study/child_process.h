@@ -11,7 +11,7 @@
 
 namespace gibench {
 
-/// Name of the environment variable that gives a study's children its process id.
+/// Name of the environment variable that gives children the process id of their parent.
 inline constexpr const char* parent_variable = "GIBENCH_STUDY_PROCESS";
 
 struct ChildLimits {
@@ -37,8 +37,16 @@ struct ChildResult {
   std::optional<ErrorRecord> error;  ///< why it ended without a result, where it could report it
 };
 
-/// Runs this program with the arguments and waits for it. stdout, stderr and its error go to files of this name in
-/// `scratch`, which must exist. Throws WorkError where no process can be made. A killed parent takes the child with it.
+/// Where a child's stdout, stderr and its error go.
+struct ChildFiles {
+  std::filesystem::path out, error;
+  std::filesystem::path error_record;  ///< empty: the child is not asked for it
+};
+
+/// Runs this program with the arguments and waits for it. Throws WorkError where no process can be made. A killed parent takes
+/// the child with it.
+ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits, const ChildFiles& files);
+/// The same with files of this name in `scratch`, which must exist.
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildLimits& limits, const std::filesystem::path& scratch,
                       const std::string& name);
 

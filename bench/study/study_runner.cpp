@@ -115,6 +115,8 @@ void StudyRunner::run_stages() {
 ChildResult StudyRunner::child(std::vector<std::string> arguments, const ChildLimits& limits) const {
   for (const std::string& argument : {std::string("--threads"), std::to_string(common_.threads), std::string("--quiet")})
     arguments.push_back(argument);
+  const std::vector<std::string> limiting = arguments_of(settings_.model_limits);
+  arguments.insert(arguments.end(), limiting.begin(), limiting.end());
   const fs::path scratch = folders_.scratch();
   const std::string name = std::to_string(children_++);
   ChildResult result = run_child(arguments, limits, scratch, name);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/measure/model_limits.h"
 #include "bench/measure/work_options.h"
 #include "bench/record/check_record.h"
 #include "bench/record/reference_record.h"
@@ -27,7 +28,8 @@ struct StudySettings {
   std::filesystem::path out;
   bool force = false;  ///< redo what is finished
   int jobs = 1;        ///< processes at a time
-  Shard shard;         ///< runs whose place in the plan mod `of` is `index`
+  ModelLimits model_limits;
+  Shard shard;  ///< runs whose place in the plan mod `of` is `index`
 };
 
 /// A folder runs/ID appears whole, with run.json in it, whether the run came to its end or not; the manifest is

@@ -18,12 +18,20 @@ std::string times(int least, std::optional<int> most) {
   return least == 0 ? "*" : least == 1 ? "+" : fmt::format("{{{},}}", least);
 }
 
-/// least to most scatterings one of which is not diffuse: the first of those, by its place.
+/// least to most scatterings one of which is not diffuse: the first of those, by its place. Alternatives beside one another: as
+/// many brackets inside one another would be refused.
 std::string with_one_glossy(int least, std::optional<int> most) {
-  if (!most && least <= 1) return "D*[GS].*";
-  const auto one_less = most ? std::optional(*most - 1) : most;
-  const std::string here = "[GS]." + times(std::max(0, least - 1), one_less);
-  return most && *most <= 1 ? here : fmt::format("({}|D{})", here, with_one_glossy(std::max(0, least - 1), one_less));
+  std::vector<std::string> ways;
+  for (int diffuse = 0; !most || diffuse < *most; ++diffuse) {
+    const std::string before = diffuse == 0 ? "" : diffuse == 1 ? "D" : fmt::format("D{{{}}}", diffuse);
+    if (!most && least - diffuse <= 1) {
+      ways.push_back(before + "D*[GS].*");
+      break;
+    }
+    ways.push_back(before + "[GS]." +
+                   times(std::max(0, least - diffuse - 1), most ? std::optional(*most - diffuse - 1) : std::nullopt));
+  }
+  return ways.size() == 1 ? ways.front() : fmt::format("({})", fmt::join(ways, "|"));
 }
 
 }  // namespace

@@ -7,6 +7,14 @@
 
 namespace gibench {
 
+/// The number in four bytes from `place`, the most significant first; bytes past the end count as 0.
+inline std::uint32_t big_endian(std::string_view bytes, std::size_t place) {
+  std::uint32_t value = 0;
+  for (std::size_t i = place; i < place + 4; ++i)
+    value = value << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : std::uint32_t{0});
+  return value;
+}
+
 /// Little-endian, from the front. What lies past the end is 0 or empty, and has_failed() from then on.
 class ByteReader {
  public:

@@ -1,17 +1,20 @@
 #include "common/image/decoded_image.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "common/core/atomic_file.h"
 #include "common/core/error.h"
+#include "common/core/names.h"
+#include "common/core/printable_text.h"
 #include "common/image/exr_check.h"
 #include "common/image/hdr_header.h"
+#include "common/image/icc_profile.h"
 #include "common/image/picture_format.h"
 #include "common/image/png_check.h"
+#include "common/image/png_colours.h"
 #include "common/image/size_check.h"
 #include "common/image/srgb.h"
 
@@ -32,11 +35,20 @@ std::string damage_of(std::string_view bytes, const std::string& format) {
   return damage;
 }
 
-/// Without control characters, which names in a file may hold.
-std::string printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return text;
+/// `keyword`: the profile's name in a PNG. One that calls itself sRGB is followed by taking the samples for sRGB.
+void note_profile(const std::string& keyword, DecodedImage& decoded) {
+  if (decoded.colour_profile.empty() && keyword.empty()) return;
+  const std::string description = description_of_profile(decoded.colour_profile);
+  const std::string& name = description.empty() ? keyword : description;
+  if (name.find("sRGB") == std::string::npos)
+    decoded.colour_remarks.push_back("its embedded colour profile" + (name.empty() ? "" : " " + in_quotes(name)) +
+                                     " is not applied");
+}
+
+void take_colours(PngColours colours, DecodedImage& decoded) {
+  decoded.exponent = colours.exponent, decoded.chromaticities = colours.chromaticities;
+  decoded.colour_remarks = std::move(colours.remarks);
+  note_profile(colours.profile_name, decoded);
 }
 
 void take_header(DecodedImage& decoded, const HdrHeader& header) {
@@ -73,9 +85,13 @@ DecodedImage decode_image(std::string_view bytes, const std::string& name) {
     throw InputError(name, "holds luminance and chroma (channels Y, RY, BY), which are not read", "convert it to R, G, B");
   if (failure.empty()) failure = image_plugin().decode(bytes, format, decoded);
   if (!failure.empty())
-    throw InputError(name, "cannot be read as an image (" + printable(failure) + ")", "give a whole EXR, HDR, PNG or JPEG file");
-  for (std::string& remark : decoded.remarks) remark = printable(std::move(remark));
+    throw InputError(name, "cannot be read as an image (" + printable_text(failure) + ")",
+                     "give a whole EXR, HDR, PNG or JPEG file");
   if (format == "hdr") take_header(decoded, read_hdr_header(bytes));
+  if (format == "png") take_colours(colours_of_png(bytes), decoded);
+  else note_profile("", decoded);
+  for (std::vector<std::string>* remarks : {&decoded.remarks, &decoded.colour_remarks})
+    for (std::string& remark : *remarks) remark = printable_text(remark);
   if (decoded.chromaticities && !ColourConversion::to_rec709(*decoded.chromaticities))
     throw InputError(name, "the chromaticities of its header span no colours", "correct them");
   return decoded;
@@ -95,12 +111,15 @@ std::optional<std::size_t> alpha_channel(const DecodedImage& image) { return cha
 Image linear_image(const DecodedImage& decoded, const ColourChannels& channels) {
   // Decoding the same few levels again and again is most of reading a picture: a table for 8 bits, a pow for the rest.
   std::array<float, 256> table;
-  for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_to_linear(static_cast<float>(i) / 255.0F);
+  const auto linear = [&](float sample) {
+    return decoded.exponent ? std::pow(sample, *decoded.exponent) : srgb_to_linear(sample);
+  };
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = linear(static_cast<float>(i) / 255.0F);
   const auto value_of = [&](float sample) {
     if (!decoded.integer_samples) return sample;
     const float level = sample * 255.0F;
     const float nearest = std::nearbyint(level);
-    return std::abs(level - nearest) < 1e-4F ? table[static_cast<std::size_t>(nearest)] : srgb_to_linear(sample);
+    return std::abs(level - nearest) < 1e-4F ? table[static_cast<std::size_t>(nearest)] : linear(sample);
   };
   const std::optional<ColourConversion> conversion = conversion_of(decoded, channels);
   Image image{decoded.width, decoded.height, {}};

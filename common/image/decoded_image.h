@@ -27,7 +27,8 @@ std::optional<ColourChannels> colour_channels(const DecodedImage& image, const s
 /// Position of the alpha channel; empty where the picture has none.
 std::optional<std::size_t> alpha_channel(const DecodedImage& image);
 
-/// Floating-point samples as stored, integer ones decoded from sRGB; colours of the file's primaries become Rec. 709.
+/// Floating-point samples as stored, integer ones decoded by the curve that the file states, or else from sRGB; colours of the
+/// file's primaries become Rec. 709.
 Image linear_image(const DecodedImage& decoded, const ColourChannels& channels);
 
 }  // namespace gibench

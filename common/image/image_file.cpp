@@ -28,7 +28,9 @@ ImageFile read_image_file(const std::filesystem::path& file, const std::string& 
   if (!channels)
     throw InputError(file.string(), layer.empty() ? "has neither R, G, B nor Y channels" : "has no layer \"" + layer + "\"",
                      "give a picture with colour or grey channels of that name");
-  return {linear_image(decoded, *channels), !decoded.integer_samples, std::move(decoded.header), std::move(decoded.remarks)};
+  std::vector<std::string> warnings = std::move(decoded.remarks);
+  warnings.insert(warnings.end(), decoded.colour_remarks.begin(), decoded.colour_remarks.end());
+  return {linear_image(decoded, *channels), !decoded.integer_samples, std::move(decoded.header), std::move(warnings)};
 }
 
 bool ImageFile::is_cube_map() const {

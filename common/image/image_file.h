@@ -31,11 +31,12 @@ struct ImageFile {
   bool is_cube_map() const;
 };
 
-/// Reads the default R,G,B of an EXR or HDR (linear) or a PNG or JPEG of 8 or 16 bits (sRGB, decoded to linear).
-/// Grey becomes three equal channels; alpha is ignored, the colours stay as stored. An EXR gives its display window,
-/// black where the file has no data, and of several parts the one with R, G, B. Colours of other primaries, as an EXR or HDR
-/// states them, become those of Rec. 709; the exposure of an HDR is taken out again. InputError if the file is missing,
-/// unreadable, truncated, has no colours, or has luminance and chroma instead.
+/// Reads the default R,G,B of an EXR or HDR (linear) or a PNG or JPEG of 8 or 16 bits (sRGB, decoded to linear; a PNG by the
+/// gamma and the chromaticities that it states; a warning names an ICC profile, which is not applied). Grey becomes three equal
+/// channels; alpha is ignored, the colours stay as stored. An EXR gives its display window, black where the file has no data, and
+/// of several parts the one with R, G, B. Colours of other primaries, as an EXR or HDR states them, become those of Rec. 709; the
+/// exposure of an HDR is taken out again. InputError if the file is missing, unreadable, truncated, has no colours, or has
+/// luminance and chroma instead.
 Image read_image(const std::filesystem::path& file);
 /// The same with the header. A `layer` other than "" asks for LAYER.R, LAYER.G, LAYER.B of an EXR.
 ImageFile read_image_file(const std::filesystem::path& file, const std::string& layer = {});

@@ -22,7 +22,10 @@ struct DecodedImage {
   bool integer_samples = false;       ///< unsigned integers scaled to [0, 1]; else floating point as stored
   std::vector<float> samples;         ///< width × height × channels
   std::map<std::string, std::string> header;
+  std::optional<float> exponent;                 ///< of integer samples: sample^exponent is linear; empty: they are sRGB
   std::optional<Chromaticities> chromaticities;  ///< of the file's red, green and blue; empty: it does not say
+  std::string colour_profile;                    ///< ICC profile, its bytes; empty: none, or none that is whole
+  std::vector<std::string> colour_remarks;       ///< what is not followed of the colour space that the file states
   std::vector<std::string> remarks;              ///< what of the file is not read
 };
 

@@ -4,10 +4,11 @@
 
 #include <limits>
 #include <map>
-#include <set>
+#include <optional>
 #include <utility>
 
 #include "common/core/error.h"
+#include "common/light_paths/equal_states.h"
 #include "common/light_paths/nondeterministic.h"
 
 namespace gibench {
@@ -36,7 +37,7 @@ PathAutomaton::PathAutomaton() : PathAutomaton(std::string("C.*[LOB]")) {}
 
 /// The subset construction, from after the camera.
 PathAutomaton::PathAutomaton(const PathExpression& expression) {
-  const NondeterministicPaths paths(expression);
+  NondeterministicPaths paths(expression);
   Numbering<NondeterministicPaths::Set> number;
   std::vector<NondeterministicPaths::Set> sets{paths.step(paths.start(), PathEvent::camera)};
   number(sets.front());
@@ -46,7 +47,7 @@ PathAutomaton::PathAutomaton(const PathExpression& expression) {
       NondeterministicPaths::Set set = paths.step(sets[i], scattering_events[e]);
       const auto [to, is_new] = number(set);
       if (to >= most_states)
-        throw InputError(fmt::format("light paths '{}'", expression.text), fmt::format("needs more than {} states", most_states),
+        throw InputError(place_of_light_paths(expression.text), fmt::format("needs more than {} states", most_states),
                          "lower its counts, or write * for no bound");
       step.next[e] = static_cast<State>(to);
       if (is_new) sets.push_back(std::move(set));
@@ -60,34 +61,25 @@ PathAutomaton::PathAutomaton(const PathExpression& expression) {
 
 PathAutomaton::PathAutomaton(std::vector<Step> states) : states_(std::move(states)) { minimise(); }
 
-/// Moore's partition refinement; the classes are then numbered in the order in which they are reached.
+/// The parts of equal states are numbered in the order in which they are reached.
 void PathAutomaton::minimise() {
-  std::vector<std::size_t> group(states_.size(), 0);
-  for (std::size_t groups = 0;;) {
-    Numbering<std::vector<std::size_t>> number;
-    std::vector<std::size_t> finer;
-    std::size_t count = 0;
-    for (std::size_t s = 0; s < states_.size(); ++s) {
-      std::vector<std::size_t> signature{group[s]};
-      for (const State to : states_[s].next) signature.push_back(group[to]);
-      for (const PathEvent light : ending_events) signature.push_back(states_[s].accepted.contains(light) ? 1 : 0);
-      const auto [place, is_new] = number(signature);
-      finer.push_back(place);
-      count += is_new ? 1 : 0;
-    }
-    group = std::move(finer);
-    if (count == groups) break;
-    groups = count;
+  Followers next;
+  std::vector<std::uint32_t> kind;
+  for (const Step& step : states_) {
+    next.push_back(step.next);
+    std::uint32_t bits = 0;
+    for (const PathEvent light : ending_events) bits = 2 * bits + (step.accepted.contains(light) ? 1U : 0U);
+    kind.push_back(bits);
   }
-  // States are visited in the order in which paths reach them, so groups are, too; the start's is the first.
+  const std::vector<std::uint32_t> part = parts_of_equal_states(next, kind);
   std::vector<Step> merged;
-  Numbering<std::size_t> number;
+  Numbering<std::uint32_t> number;
   std::vector<std::size_t> member{0};
-  number(group[0]);
+  number(part[0]);
   for (std::size_t i = 0; i < member.size(); ++i) {
     Step step = states_[member[i]];
     for (State& to : step.next) {
-      const auto [place, is_new] = number(group[to]);
+      const auto [place, is_new] = number(part[to]);
       if (is_new) member.push_back(to);
       to = static_cast<State>(place);
     }
@@ -97,13 +89,23 @@ void PathAutomaton::minimise() {
   find_the_living();
 }
 
+/// From those that accept a light backwards, along every edge once.
 void PathAutomaton::find_the_living() {
-  for (Step& step : states_) step.alive = !step.accepted.empty(), step.goes_on = false;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (auto step = states_.rbegin(); step != states_.rend(); ++step)
-      for (const State to : step->next)
-        if (states_[to].alive && !step->goes_on) step->alive = step->goes_on = changed = true;
+  std::vector<std::vector<State>> before(states_.size());
+  std::vector<State> living;
+  for (std::size_t s = 0; s < states_.size(); ++s) {
+    Step& step = states_[s];
+    for (const State to : step.next) before[to].push_back(static_cast<State>(s));
+    step.alive = !step.accepted.empty(), step.goes_on = false;
+    if (step.alive) living.push_back(static_cast<State>(s));
+  }
+  while (!living.empty()) {
+    const State to = living.back();
+    living.pop_back();
+    for (const State from : before[to]) {
+      states_[from].goes_on = true;
+      if (!states_[from].alive) states_[from].alive = true, living.push_back(from);
+    }
   }
   tells_reflections_apart_ = false;
   for (const Step& step : states_)
@@ -134,16 +136,22 @@ PathAutomaton PathAutomaton::restricted_to(PathEvents available) const {
   return PathAutomaton(std::move(states));
 }
 
+/// Both are minimal: equal states are then one in each, and a second partner for a state is a difference.
 bool equivalent(const PathAutomaton& a, const PathAutomaton& b) {
-  using Pair = std::pair<PathAutomaton::State, PathAutomaton::State>;
-  std::set<Pair> seen{{PathAutomaton::start, PathAutomaton::start}};
-  std::vector<Pair> open(seen.begin(), seen.end());
+  if (a.size() != b.size()) return false;
+  std::vector<std::optional<PathAutomaton::State>> partner(a.size());
+  partner[PathAutomaton::start] = PathAutomaton::start;
+  std::vector<PathAutomaton::State> open{PathAutomaton::start};
   while (!open.empty()) {
-    const auto [in_a, in_b] = open.back();
+    const PathAutomaton::State in_a = open.back(), in_b = *partner[in_a];
     open.pop_back();
     if (a.states_[in_a].accepted != b.states_[in_b].accepted) return false;
-    for (const PathEvent event : scattering_events)
-      if (const Pair pair{a.next(in_a, event), b.next(in_b, event)}; seen.insert(pair).second) open.push_back(pair);
+    for (const PathEvent event : scattering_events) {
+      auto& known = partner[a.next(in_a, event)];
+      const PathAutomaton::State found = b.next(in_b, event);
+      if (known && *known != found) return false;
+      if (!known) known = found, open.push_back(a.next(in_a, event));
+    }
   }
   return true;
 }

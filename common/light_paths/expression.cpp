@@ -12,6 +12,7 @@ namespace gibench {
 namespace {
 
 constexpr int deepest = 100;           // brackets inside one another
+constexpr int most_operators = 10;     // *, + and {m,n} after one another: with the brackets, they bound recursion
 constexpr int largest_count = 100000;  // of {m,n}
 
 constexpr PathEvents of_kind(PathEvent reflection, PathEvent transmission) { return PathEvents(reflection) | transmission; }
@@ -64,14 +65,18 @@ class Parser {
     const std::string found = at_end()    ? std::string("the end")
                               : printable ? fmt::format("'{}'", text_[at_])
                                           : std::string("no letter of the syntax");
-    throw InputError(fmt::format("light paths '{}'", text_), fmt::format("{} at position {}", found, at_ + 1),
-                     "expected " + expected);
+    throw InputError(place_of_light_paths(text_), fmt::format("{} at position {}", found, at_ + 1), "expected " + expected);
+  }
+
+  void enter() {
+    if (++depth_ > deepest) fail(fmt::format("at most {} brackets inside one another", deepest));
   }
 
   PathNode choice() {
-    if (++depth_ > deepest) fail(fmt::format("at most {} brackets inside one another", deepest));
-    PathNode node{PathNode::Kind::choice, {}, {sequence()}, 0, {}};
-    while (take('|')) node.children.push_back(sequence());
+    enter();
+    PathNode node{PathNode::Kind::choice, {}, {}, 0, {}};
+    do node.children.push_back(sequence());
+    while (take('|'));
     --depth_;
     return node.children.size() == 1 ? PathNode(std::move(node.children.front())) : node;
   }
@@ -85,13 +90,19 @@ class Parser {
 
   PathNode repeated() {
     PathNode node = single();
-    for (;;) {
+    for (int operators = 1;; ++operators) {
       int least = 0;
       std::optional<int> most;
       if (take('+')) least = 1;
       else if (take('{')) counts(least, most);
       else if (!take('*')) return node;
-      node = {PathNode::Kind::repeat, {}, {std::move(node)}, least, most};
+      if (operators > most_operators) {
+        --at_;
+        fail(fmt::format("at most {} operators after one another", most_operators));
+      }
+      PathNode repeat{PathNode::Kind::repeat, {}, {}, least, most};
+      repeat.children.push_back(std::move(node));
+      node = std::move(repeat);
     }
   }
 
@@ -138,10 +149,12 @@ class Parser {
   /// After '[': any of the members, or any but those. `member` parses one.
   template <class Member>
   PathEvents group(const std::string& expected, const Member& member) {
+    enter();
     const bool others = take('^');
     PathEvents events;
     do events |= member(expected);
     while (!take(']'));
+    --depth_;
     return others ? ~events : events;
   }
 
@@ -174,6 +187,11 @@ class Parser {
 };
 
 }  // namespace
+
+std::string place_of_light_paths(const std::string& text) {
+  constexpr std::size_t most_shown = 200;
+  return fmt::format("light paths '{}{}'", text.substr(0, most_shown), text.size() > most_shown ? "…" : "");
+}
 
 PathExpression parse_light_paths(const std::string& text) { return {text, Parser(text).parse()}; }
 

@@ -30,6 +30,9 @@ struct PathExpression {
   PathNode root;
 };
 
+/// The place that errors name: "light paths 'C.*[LOB]'", of a long expression its beginning.
+std::string place_of_light_paths(const std::string& text);
+
 /// Throws InputError that gives the position (from 1) in the text and what was expected there.
 PathExpression parse_light_paths(const std::string& text);
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "common/scene/object_names.h"
+
 namespace gibench {
 
 bool has_object(const Scene& scene, const std::string& name) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [&](const Object& object) { return object.name == name || object.name.starts_with(name + "/"); });
+                     [&](const Object& object) { return stands_for(name, object.name); });
 }
 
 Lighting Lighting::of(const Scene& scene) {

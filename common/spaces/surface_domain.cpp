@@ -12,15 +12,12 @@
 #include "common/geometry/camera_sight.h"
 #include "common/geometry/seen_cells.h"
 #include "common/geometry/surface_sampling.h"
+#include "common/scene/object_names.h"
 #include "common/spaces/side_light.h"
 
 namespace gibench {
 
 namespace {
-
-bool stands_for(const std::string& name, const std::string& object) {
-  return object == name || (object.starts_with(name) && object[name.size()] == '/');
-}
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> names;

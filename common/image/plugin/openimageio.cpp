@@ -121,6 +121,8 @@ void take_header(const OIIO::ImageSpec& spec, DecodedImage& image) {
   Chromaticities chromaticities{};
   const OIIO::TypeDesc eight_floats(OIIO::TypeDesc::FLOAT, static_cast<int>(chromaticities.size()));
   if (spec.getattribute("chromaticities", eight_floats, chromaticities.data())) image.chromaticities = chromaticities;
+  if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile"))
+    image.colour_profile.assign(static_cast<const char*>(profile->data()), static_cast<std::size_t>(profile->datasize()));
 }
 
 std::string decode_bytes(std::string_view bytes, const std::string& format, DecodedImage& image) {

@@ -43,6 +43,7 @@ class PngReader {
     const std::size_t count = std::size_t{width_} * height_ * channels_;
     image.samples.resize(count);
     for (std::size_t i = 0; i < count; ++i) image.samples[i] = sample(i);
+    image.colour_profile = profile_;
   }
 
  private:
@@ -62,6 +63,12 @@ class PngReader {
   void read_pixels() {
     width_ = png_get_image_width(png_, info_);
     height_ = png_get_image_height(png_, info_);
+    png_charp name = nullptr;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    int compression = 0;
+    if (png_get_iCCP(png_, info_, &name, &compression, &profile, &size) != 0)
+      profile_.assign(reinterpret_cast<const char*>(profile), size);
     png_set_expand(png_);  // 8 bits at least, palettes as colours, transparent colours as alpha
     if (std::endian::native == std::endian::little) png_set_swap(png_);
     png_set_interlace_handling(png_);
@@ -90,6 +97,7 @@ class PngReader {
   std::string message_ = "libpng cannot start";
   std::uint32_t width_ = 0, height_ = 0;
   unsigned channels_ = 0, bytes_a_sample_ = 1;
+  std::string profile_;
   std::vector<png_byte> pixels_;
   std::vector<png_bytep> rows_;
 };

@@ -74,7 +74,7 @@ GltfMaterialReader::Base GltfMaterialReader::read_base(const GltfValue& owner, c
   const auto factor = owner.numbers_or<4>(factor_key, {1.0, 1.0, 1.0, 1.0});
   const Base vertices = vertex_colour();
   const AlphaUse alpha = alpha_use(factor[3]);
-  const auto picture = mean(owner, picture_key, TexelValues::colour, alpha);
+  const auto picture = mean(owner, picture_key, TexelValues::srgb, alpha);
   Base base{first_three(factor) * vertices.colour, factor[3] * vertices.opacity};
   if (picture) base.colour = base.colour * picture->colour;
   switch (alpha.mode) {
@@ -127,11 +127,10 @@ void GltfMaterialReader::read_specular_glossiness(const GltfValue& extension, Ma
   const Base base = read_base(extension, "diffuseFactor", "diffuseTexture");
   Rgb specular = rgb_of(extension.numbers_or<3>("specularFactor", {1.0, 1.0, 1.0}));
   double glossiness = extension.number_or("glossinessFactor", 1.0);
-  if (const auto picture = mean(extension, "specularGlossinessTexture", TexelValues::colour))
-    specular = specular * picture->colour;
   // The glossiness is in the alpha channel.
-  if (const auto picture = mean(extension, "specularGlossinessTexture", TexelValues::colour, {AlphaUse::Mode::weighs}))
+  if (const auto picture = mean(extension, "specularGlossinessTexture", TexelValues::srgb, {AlphaUse::Mode::weighs}))
     glossiness *= picture->opacity;
+  if (const auto picture = mean(extension, "specularGlossinessTexture", TexelValues::srgb)) specular = specular * picture->colour;
   material.bsdf = Bsdf::ggx;
   material.f0 = unit(specular, "the specular factor");
   material.roughness = 1.0F - unit(glossiness, "the glossiness factor");
@@ -151,7 +150,7 @@ void GltfMaterialReader::read_emission(Material& material) {
     strength = extension->number_or("emissiveStrength", strength);
   const bool is_dark = factor == std::array<double, 3>{0.0, 0.0, 0.0} || strength == 0.0;
   std::optional<PictureMean> picture;
-  if (!is_dark) picture = mean(material_, "emissiveTexture", TexelValues::colour);
+  if (!is_dark) picture = mean(material_, "emissiveTexture", TexelValues::srgb);
   bool is_clamped = false;
   for (std::size_t c = 0; c < 3; ++c) {
     factor[c] *= strength * static_cast<double>(picture ? picture->colour[static_cast<int>(c)] : 1.0F);

@@ -85,25 +85,30 @@ PictureTexels GltfPictures::read(std::size_t image, TexelValues values) {
   return read_texels(*data, name_of(image), values);
 }
 
-const PictureTexels& GltfPictures::texels(std::size_t image, TexelValues values, AlphaUse alpha) {
+/// Null where there is none; else it is the one used last from now on.
+const GltfPictures::Kept* GltfPictures::find_kept(std::size_t image, TexelValues values, AlphaUse alpha) {
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
     return kept.image == image && kept.values == values && kept.alpha == alpha;
   });
-  if (found != kept_.end()) {
-    kept_.splice(kept_.begin(), kept_, found);
-    return kept_.front().texels;
-  }
-  PictureTexels read_now = read(image, values);
-  apply_alpha(alpha, read_now);
-  kept_.push_front({image, values, alpha, std::move(read_now)});
+  if (found == kept_.end()) return nullptr;
+  kept_.splice(kept_.begin(), kept_, found);
+  return &kept_.front();
+}
+
+const TexelSums& GltfPictures::sums(std::size_t image, TexelValues values, AlphaUse alpha) {
+  if (const Kept* kept = find_kept(image, values, alpha)) return kept->sums;
+  const Kept* as_read = find_kept(image, values, {AlphaUse::Mode::weighs});
+  PictureTexels texels = as_read != nullptr ? as_read->sums.picture() : read(image, values);
+  apply_alpha(alpha, texels);
+  kept_.push_front({image, values, alpha, TexelSums(std::move(texels))});
   std::size_t sum = 0;
   for (auto entry = kept_.begin(); entry != kept_.end(); ++entry) {
-    sum += entry->texels.texels.size();
+    sum += entry->sums.picture().texels.size();
     if (sum <= most_kept_texels || entry == kept_.begin()) continue;
     kept_.erase(entry, kept_.end());
     break;
   }
-  return kept_.front().texels;
+  return kept_.front().sums;
 }
 
 std::optional<PictureMean> GltfPictures::mean(const GltfValue& texture_info, const GltfPrimitive& primitive, TexelValues values,
@@ -118,9 +123,11 @@ std::optional<PictureMean> GltfPictures::mean(const GltfValue& texture_info, con
   std::optional<GltfValue> sampler;
   if (const auto index = texture.whole_number_if("sampler")) sampler = document_.item("samplers", *index);
   try {
-    const PictureTexels& picture = texels(*image, values, alpha);
+    const TexelSums& picture = sums(*image, values, alpha);
     remarks.push_back("the picture " + in_quotes(name_of(*image)) + " is replaced by its mean" +
                       (coordinates ? "" : " (over all of it: a mesh has no TEXCOORD_" + std::to_string(set) + ")"));
+    for (const std::string& remark : picture.picture().remarks)
+      remarks.push_back("the picture " + in_quotes(name_of(*image)) + ": " + remark);
     if (!coordinates || coordinates->components != 2) return mean_of_picture(picture);
     const CoordinateTransform transform = transform_of(extension);
     std::vector<UvTriangle> triangles;

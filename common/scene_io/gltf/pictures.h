@@ -21,7 +21,7 @@ struct AlphaUse {
   bool operator==(const AlphaUse&) const = default;
 };
 
-/// Finds, reads and averages pictures. Those that were read last are kept, up to a few hundred megabytes.
+/// Finds, reads and averages pictures. Those that were read last are kept with their sums, up to a gigabyte.
 class GltfPictures {
  public:
   explicit GltfPictures(GltfDocument& document) : document_(document) {}
@@ -37,13 +37,14 @@ class GltfPictures {
     std::size_t image;
     TexelValues values;
     AlphaUse alpha;
-    PictureTexels texels;
+    TexelSums sums;
   };
 
   std::optional<std::size_t> image_of(const GltfValue& texture, std::vector<std::string>& remarks) const;
   std::string name_of(std::size_t image) const;
   PictureTexels read(std::size_t image, TexelValues values);
-  const PictureTexels& texels(std::size_t image, TexelValues values, AlphaUse alpha);
+  const Kept* find_kept(std::size_t image, TexelValues values, AlphaUse alpha);
+  const TexelSums& sums(std::size_t image, TexelValues values, AlphaUse alpha);
 
   GltfDocument& document_;
   std::list<Kept> kept_;  ///< the one used last is first

@@ -35,10 +35,10 @@ PictureTexels read_picture_beside(const fs::path& folder, const std::string& nam
 ModelPictures::ModelPictures(fs::path folder)
     : reader_([beside = std::move(folder)](const std::string& name) { return read_picture_beside(beside, name); }) {}
 
-const PictureTexels& ModelPictures::texels(const std::string& name) {
+const TexelSums& ModelPictures::sums(const std::string& name) {
   if (!last_ || name != last_name_) {
     last_.reset();
-    last_ = reader_(name);
+    last_.emplace(reader_(name));
     last_name_ = name;
   }
   return *last_;
@@ -47,11 +47,12 @@ const PictureTexels& ModelPictures::texels(const std::string& name) {
 std::optional<Rgb> ModelPictures::mean(const std::string& name, const PictureUse& use, PictureWrap wrap,
                                        MaterialRemarks& remarks) {
   try {
-    const PictureTexels& picture = texels(name);
+    const TexelSums& picture = sums(name);
     const bool is_used = !use.triangles.empty();
     const PictureMean mean = is_used ? mean_over_triangles(picture, use.triangles, use.areas, wrap) : mean_of_picture(picture);
     remarks.add("the picture " + in_quotes(name) + " is replaced by its mean" +
                 (is_used ? "" : ", that of the whole, because the surface has no texture points"));
+    for (const std::string& remark : picture.picture().remarks) remarks.add("the picture " + in_quotes(name) + ": " + remark);
     constexpr double opaque = 0.999;  // an edge of single texels is no hole
     if (mean.opacity < opaque)
       remarks.add(

@@ -20,7 +20,7 @@ struct PictureUse {
   void add(const UvTriangle& triangle, const Vec3d& a, const Vec3d& b, const Vec3d& c);
 };
 
-/// Takes means. Keeps the picture that was read last, for materials that share it.
+/// Takes means. Keeps the picture that was read last and its sums, for materials that share it.
 class ModelPictures {
  public:
   using Reader = std::function<PictureTexels(const std::string& name)>;
@@ -35,11 +35,11 @@ class ModelPictures {
   std::optional<Rgb> mean(const std::string& name, const PictureUse& use, PictureWrap wrap, MaterialRemarks& remarks);
 
  private:
-  const PictureTexels& texels(const std::string& name);
+  const TexelSums& sums(const std::string& name);
 
   Reader reader_;
   std::string last_name_;
-  std::optional<PictureTexels> last_;
+  std::optional<TexelSums> last_;
 };
 
 /// A picture's texels from a file in `folder`, whose name may be written as on Windows; one that is not there is looked

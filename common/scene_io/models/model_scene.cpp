@@ -4,7 +4,6 @@
 
 #include "common/core/names.h"
 #include "common/scene/light_kinds.h"
-#include "common/scene_io/models/read_model.h"
 
 namespace gibench {
 
@@ -39,11 +38,11 @@ void add_model_objects(Model& model, const std::string& place, SceneAssembler& a
 
 }  // namespace
 
-Scene load_model_scene(const std::filesystem::path& file, const std::string& name) {
+Scene load_model_scene(const std::filesystem::path& file, const std::string& name, const ModelReader& read) {
   Scene scene;
   scene.name = name;
   SceneAssembler assembler(scene);
-  Model model = read_model(file, file.string(), /*with_materials=*/true);
+  Model model = read(file, file.string(), /*with_materials=*/true);
   add_model_objects(model, file.string(), assembler);
   assembler.finish_geometry(file.string());
   for (ModelLight& light : model.lights) {

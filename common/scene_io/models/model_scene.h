@@ -5,10 +5,11 @@
 #include <string>
 
 #include "common/scene/scene.h"
+#include "common/scene_io/models/read_model.h"
 
 namespace gibench {
 
-/// One object for each material of each node. Throws InputError as read_model() does.
-Scene load_model_scene(const std::filesystem::path& file, const std::string& name);
+/// One object for each material of each node. Throws InputError as read_model() does, which `read` is or stands for.
+Scene load_model_scene(const std::filesystem::path& file, const std::string& name, const ModelReader& read);
 
 }  // namespace gibench

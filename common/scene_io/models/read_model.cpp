@@ -12,13 +12,14 @@ namespace gibench {
 
 namespace {
 
-Model read(const std::filesystem::path& file, const std::string& place, bool with_materials) {
-  if (is_gltf_name(file)) return read_gltf(file, place, with_materials);
+/// Which reader of the project's own reads a file of this name; null: none.
+Model (*own_reader(const std::filesystem::path& file))(const std::filesystem::path&, const std::string&, bool) {
+  if (is_gltf_name(file)) return read_gltf;
   const std::string extension = extension_of(file);
-  if (extension == ".obj") return read_obj(file, place, with_materials);
-  if (extension == ".ply") return read_ply(file, place, with_materials);
-  if (extension == ".stl") return read_stl(file, place, with_materials);
-  return read_with_assimp(file, place, with_materials);
+  if (extension == ".obj") return read_obj;
+  if (extension == ".ply") return read_ply;
+  if (extension == ".stl") return read_stl;
+  return nullptr;
 }
 
 /// Names of files may be in any encoding; those of scenes are printed and written as JSON.
@@ -32,9 +33,12 @@ void make_names_printable(Model& model) {
 }  // namespace
 
 Model read_model(const std::filesystem::path& file, const std::string& place, bool with_materials) {
-  Model model = read(file, place, with_materials);
+  const auto own = own_reader(file);
+  Model model = own != nullptr ? own(file, place, with_materials) : read_with_assimp(file, place, with_materials);
   make_names_printable(model);
   return model;
 }
+
+bool is_read_by_assimp(const std::filesystem::path& file) { return own_reader(file) == nullptr && is_model_name(file); }
 
 }  // namespace gibench

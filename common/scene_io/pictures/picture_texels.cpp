@@ -23,13 +23,12 @@ PictureTexels texels_of(DecodedImage decoded, const std::string& name, TexelValu
   if (!channels)
     throw InputError(name, "has neither R, G, B nor Y channels", "give a picture with colour or grey channels of that name");
   const bool multiplied = !decoded.integer_samples;
-  const std::optional<std::size_t> alpha = values == TexelValues::colour ? alpha_channel(decoded) : std::nullopt;
-  if (values == TexelValues::data) {
-    decoded.integer_samples = false;  // levels as they stand, without the curve of sRGB
-    decoded.chromaticities.reset();   // and no colours
-  }
+  const std::optional<std::size_t> alpha = values == TexelValues::data ? std::nullopt : alpha_channel(decoded);
+  if (values == TexelValues::data) decoded.integer_samples = false;  // levels as they stand, without the curve of sRGB
+  if (values != TexelValues::colour) decoded.exponent.reset(), decoded.chromaticities.reset(), decoded.colour_remarks.clear();
   const Image image = linear_image(decoded, *channels);
   PictureTexels picture{image.width, image.height, {}, decoded.remarks};
+  picture.remarks.insert(picture.remarks.end(), decoded.colour_remarks.begin(), decoded.colour_remarks.end());
   picture.texels.reserve(image.pixels.size());
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float opacity = alpha ? decoded.samples[i * decoded.channels.size() + *alpha] : 1.0F;

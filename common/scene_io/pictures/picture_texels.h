@@ -25,7 +25,8 @@ struct PictureTexels {
 
 /// The meaning of the levels of an 8- or 16-bit picture.
 enum class TexelValues {
-  colour,  ///< sRGB, decoded to linear
+  colour,  ///< decoded to linear: from sRGB where the file states no other colour space
+  srgb,    ///< decoded from sRGB whatever the file states
   data     ///< numbers as they stand, such as roughness or opacity; an alpha channel is not taken for opacity
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "common/core/error.h"
 #include "common/core/sampling.h"
@@ -40,7 +39,8 @@ double crossings(const Triangle& t) {
 /// triangle is its integral of the texels). F is linear between borders of texels, so the middle of each piece gives it.
 class EdgeIntegral {
  public:
-  EdgeIntegral(const TexelSums& sums, const Place& from, const Place& to) : sums_(sums), from_(from), to_(to) {}
+  EdgeIntegral(const TexelSums& sums, PictureWrap wrap, const Place& from, const Place& to)
+      : sums_(sums), wrap_(wrap), from_(from), to_(to) {}
 
   WeighedTexels value() {
     if (from_.y == to_.y) return {};
@@ -73,9 +73,10 @@ class EdgeIntegral {
     }
   }
 
-  void add_piece(double x, double row, double height) { sum_ += height * sums_.up_to(x, static_cast<std::int64_t>(row)); }
+  void add_piece(double x, double row, double height) { sum_ += height * sums_.up_to(x, static_cast<std::int64_t>(row), wrap_); }
 
   const TexelSums& sums_;
+  PictureWrap wrap_;
   Place from_, to_;
   WeighedTexels sum_;
 };
@@ -83,10 +84,9 @@ class EdgeIntegral {
 /// Adds up triangles, and bounds what they cost.
 class UseOfPicture {
  public:
-  UseOfPicture(const PictureTexels& picture, PictureWrap wrap, std::size_t triangles)
-      : picture_(picture),
+  UseOfPicture(const TexelSums& picture, PictureWrap wrap, std::size_t triangles)
+      : sums_(picture),
         wrap_(wrap),
-        sums_(picture, wrap),
         budget_(std::clamp(most_crossings_of_all / static_cast<double>(std::max<std::size_t>(1, triangles)), least_crossings,
                            most_crossings)) {}
 
@@ -96,7 +96,7 @@ class UseOfPicture {
     const double area = signed_area(triangle), borders = crossings(triangle);
     if (borders > budget_ || std::abs(area) < smallest_area) return mean_of_points(triangle, borders);
     WeighedTexels sum;
-    for (std::size_t i = 0; i < 3; ++i) sum += EdgeIntegral(sums_, triangle[i], triangle[(i + 1) % 3]).value();
+    for (std::size_t i = 0; i < 3; ++i) sum += EdgeIntegral(sums_, wrap_, triangle[i], triangle[(i + 1) % 3]).value();
     return (1.0 / area) * sum;
   }
 
@@ -116,8 +116,8 @@ class UseOfPicture {
     const double u = shift(uv[0].x, uv[1].x, uv[2].x, wrap_.u), v = shift(uv[0].y, uv[1].y, uv[2].y, wrap_.v);
     Triangle triangle;
     for (std::size_t i = 0; i < 3; ++i)
-      triangle[i] = {(static_cast<double>(uv[i].x) - u) * picture_.width,
-                     (1.0 - (static_cast<double>(uv[i].y) - v)) * picture_.height};
+      triangle[i] = {(static_cast<double>(uv[i].x) - u) * sums_.width(),
+                     (1.0 - (static_cast<double>(uv[i].y) - v)) * sums_.height()};
     return triangle;
   }
 
@@ -133,14 +133,13 @@ class UseOfPicture {
       const Vec2 barycentric = uniform_triangle({static_cast<float>(u), static_cast<float>(v)});
       const double b = static_cast<double>(barycentric.x), c = static_cast<double>(barycentric.y);
       sum += sums_.at(t[0].x + b * (t[1].x - t[0].x) + c * (t[2].x - t[0].x),
-                      t[0].y + b * (t[1].y - t[0].y) + c * (t[2].y - t[0].y));
+                      t[0].y + b * (t[1].y - t[0].y) + c * (t[2].y - t[0].y), wrap_);
     }
     return (1.0 / count) * sum;
   }
 
-  const PictureTexels& picture_;
+  const TexelSums& sums_;
   PictureWrap wrap_;
-  TexelSums sums_;
   double budget_;
   std::uint64_t points_ = 0;
 };
@@ -152,25 +151,19 @@ bool counts(const UvTriangle& triangle, double area) {
 }
 
 /// `sum` over a surface of `area`. No mean is outside the range of its texels: what is, is rounding.
-PictureMean mean_of(const WeighedTexels& sum, double area, const PictureTexels& picture) {
+PictureMean mean_of(const WeighedTexels& sum, double area, const TexelSums& picture) {
   PictureMean mean;
   mean.opacity = std::clamp(sum.opacity / area, 0.0, 1.0);
   if (!(sum.opacity > 0.0)) return mean;
-  Rgb low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-  for (const Texel& texel : picture.texels)
-    for (int c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], texel.colour[c]);
-      high[c] = std::max(high[c], texel.colour[c]);
-    }
   const Rgb colour(sum.colour / sum.opacity);
-  for (int c = 0; c < 3; ++c) mean.colour[c] = std::clamp(colour[c], low[c], high[c]);
+  for (int c = 0; c < 3; ++c) mean.colour[c] = std::clamp(colour[c], picture.low()[c], picture.high()[c]);
   return mean;
 }
 
 }  // namespace
 
-PictureMean mean_over_triangles(const PictureTexels& picture, std::span<const UvTriangle> triangles,
-                                std::span<const double> areas, PictureWrap wrap) {
+PictureMean mean_over_triangles(const TexelSums& picture, std::span<const UvTriangle> triangles, std::span<const double> areas,
+                                PictureWrap wrap) {
   GIBENCH_CHECK(triangles.size() == areas.size(), "one area for each triangle");
   UseOfPicture use(picture, wrap, triangles.size());
   WeighedTexels sum;
@@ -183,14 +176,8 @@ PictureMean mean_over_triangles(const PictureTexels& picture, std::span<const Uv
   return area > 0.0 ? mean_of(sum, area, picture) : mean_of_picture(picture);
 }
 
-PictureMean mean_of_picture(const PictureTexels& picture) {
-  GIBENCH_CHECK(!picture.texels.empty(), "a picture has texels");
-  WeighedTexels sum;
-  for (const Texel& texel : picture.texels) {
-    const auto opacity = static_cast<double>(texel.opacity);
-    sum += {opacity * RgbDouble(texel.colour), opacity};
-  }
-  return mean_of(sum, static_cast<double>(picture.texels.size()), picture);
+PictureMean mean_of_picture(const TexelSums& picture) {
+  return mean_of(picture.whole(), static_cast<double>(picture.picture().texels.size()), picture);
 }
 
 }  // namespace gibench

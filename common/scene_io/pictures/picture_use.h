@@ -22,10 +22,10 @@ using UvTriangle = std::array<Vec2, 3>;
 /// Exact for texels of constant colour, but for triangles that cover so much of a carried-on picture, or so little in one
 /// direction, that points stand for them (a fixed sequence; 16 to 4096, fewer the more triangles there are). A triangle
 /// with a coordinate that is not finite counts for nothing; where nothing counts, the mean of the whole picture is given.
-PictureMean mean_over_triangles(const PictureTexels& picture, std::span<const UvTriangle> triangles,
-                                std::span<const double> areas, PictureWrap wrap = {});
+PictureMean mean_over_triangles(const TexelSums& picture, std::span<const UvTriangle> triangles, std::span<const double> areas,
+                                PictureWrap wrap = {});
 
 /// Mean over all texels: of surfaces without coordinates.
-PictureMean mean_of_picture(const PictureTexels& picture);
+PictureMean mean_of_picture(const TexelSums& picture);
 
 }  // namespace gibench

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "common/core/error.h"
 
@@ -36,18 +38,28 @@ int index_of(double x, int size) { return std::clamp(static_cast<int>(std::floor
 
 }  // namespace
 
-TexelSums::TexelSums(const PictureTexels& picture, PictureWrap wrap)
-    : picture_(picture), wrap_(wrap), sums_a_row_(picture.width / columns_a_sum + 1) {
-  GIBENCH_CHECK(picture.width > 0 && picture.height > 0, "a picture has texels");
-  sums_.reserve(static_cast<std::size_t>(sums_a_row_) * static_cast<std::size_t>(picture.height));
-  for (int row = 0; row < picture.height; ++row) {
+TexelSums::TexelSums(PictureTexels picture)
+    : picture_(std::move(picture)),
+      sums_a_row_(width() / columns_a_sum + 1),
+      low_(std::numeric_limits<float>::max()),
+      high_(std::numeric_limits<float>::lowest()) {
+  GIBENCH_CHECK(width() > 0 && height() > 0 && !picture_.texels.empty(), "a picture has texels");
+  sums_.reserve(static_cast<std::size_t>(sums_a_row_) * static_cast<std::size_t>(height()));
+  for (int row = 0; row < height(); ++row) {
     WeighedTexels sum;
-    for (int column = 0; column < picture.width; ++column) {
+    for (int column = 0; column < width(); ++column) {
       if (column % columns_a_sum == 0) sums_.push_back(sum);
-      sum += weighed(texel(column, row));
+      const WeighedTexels here = weighed(texel(column, row));
+      sum += here;
+      whole_ += here;
     }
-    if (picture.width % columns_a_sum == 0) sums_.push_back(sum);
+    if (width() % columns_a_sum == 0) sums_.push_back(sum);
   }
+  for (const Texel& texel : picture_.texels)
+    for (int c = 0; c < 3; ++c) {
+      low_[c] = std::min(low_[c], texel.colour[c]);
+      high_[c] = std::max(high_[c], texel.colour[c]);
+    }
 }
 
 const Texel& TexelSums::texel(int column, int row) const {
@@ -68,16 +80,16 @@ WeighedTexels TexelSums::within(double x, int row) const {
 
 WeighedTexels TexelSums::whole(int row) const { return within(picture_.width, row); }
 
-WeighedTexels TexelSums::up_to(double x, std::int64_t any_row) const {
-  const int width = picture_.width;
-  const int row = index_of(folded(static_cast<double>(any_row) + 0.5, picture_.height, wrap_.v), picture_.height);
-  const double rest = folded(x, width, wrap_.u);
-  switch (wrap_.u) {
-    case Wrap::repeat: return std::floor(x / width) * whole(row) + within(rest, row);
-    case Wrap::clamp: return within(rest, row) + (x - rest) * weighed(texel(x < rest ? 0 : width - 1, row));
+WeighedTexels TexelSums::up_to(double x, std::int64_t any_row, PictureWrap wrap) const {
+  const int columns = width();
+  const int row = index_of(folded(static_cast<double>(any_row) + 0.5, picture_.height, wrap.v), picture_.height);
+  const double rest = folded(x, columns, wrap.u);
+  switch (wrap.u) {
+    case Wrap::repeat: return std::floor(x / columns) * whole(row) + within(rest, row);
+    case Wrap::clamp: return within(rest, row) + (x - rest) * weighed(texel(x < rest ? 0 : columns - 1, row));
     case Wrap::mirror: {
-      const double periods = std::floor(x / (2.0 * width));
-      const bool is_back = x - 2.0 * width * periods > width;
+      const double periods = std::floor(x / (2.0 * columns));
+      const bool is_back = x - 2.0 * columns * periods > columns;
       return is_back ? (2.0 * periods + 2.0) * whole(row) + -1.0 * within(rest, row)
                      : 2.0 * periods * whole(row) + within(rest, row);
     }
@@ -85,9 +97,9 @@ WeighedTexels TexelSums::up_to(double x, std::int64_t any_row) const {
   return {};
 }
 
-WeighedTexels TexelSums::at(double x, double y) const {
-  return weighed(texel(index_of(folded(x, picture_.width, wrap_.u), picture_.width),
-                       index_of(folded(y, picture_.height, wrap_.v), picture_.height)));
+WeighedTexels TexelSums::at(double x, double y, PictureWrap wrap) const {
+  return weighed(texel(index_of(folded(x, picture_.width, wrap.u), picture_.width),
+                       index_of(folded(y, picture_.height, wrap.v), picture_.height)));
 }
 
 }  // namespace gibench

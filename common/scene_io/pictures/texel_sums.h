@@ -29,16 +29,26 @@ struct WeighedTexels {
   friend WeighedTexels operator*(double s, const WeighedTexels& a) { return {s * a.colour, s * a.opacity}; }
 };
 
-/// Sums up to every sixteenth column only, which keeps them a fraction of the picture.
+/// A picture and its sums, made once for all that wear it. Sums up to every sixteenth column only, which keeps them a fraction of
+/// the picture.
 class TexelSums {
  public:
-  /// Keeps a reference to `picture`, which has texels.
-  TexelSums(const PictureTexels& picture, PictureWrap wrap);
+  /// `picture` has texels.
+  explicit TexelSums(PictureTexels picture);
+
+  int width() const { return picture_.width; }
+  int height() const { return picture_.height; }
+  const PictureTexels& picture() const { return picture_; }
 
   /// The integral along a row from its left border to `x`, in columns; any row and any x: the picture is carried on.
-  WeighedTexels up_to(double x, std::int64_t row) const;
+  WeighedTexels up_to(double x, std::int64_t row, PictureWrap wrap) const;
   /// The texel at a place in columns and rows.
-  WeighedTexels at(double x, double y) const;
+  WeighedTexels at(double x, double y, PictureWrap wrap) const;
+  /// Over all texels.
+  const WeighedTexels& whole() const { return whole_; }
+  /// The least and the greatest of each channel.
+  const Rgb& low() const { return low_; }
+  const Rgb& high() const { return high_; }
 
  private:
   static constexpr int columns_a_sum = 16;
@@ -47,10 +57,11 @@ class TexelSums {
   WeighedTexels within(double x, int row) const;
   WeighedTexels whole(int row) const;
 
-  const PictureTexels& picture_;
-  PictureWrap wrap_;
+  PictureTexels picture_;
   int sums_a_row_;
   std::vector<WeighedTexels> sums_;
+  WeighedTexels whole_;
+  Rgb low_, high_;
 };
 
 }  // namespace gibench

@@ -323,6 +323,28 @@ TEST(EffectPlan, SaysWhichLightPathsItMeans) {
   EXPECT_EQ(light_paths_of(plan), "C.{0,1}[LO]|C.D*[GS].*[LO]");
 }
 
+TEST(EffectPlan, MeansChainsOfAHundredBouncesToo) {
+  EffectPlan plan;
+  plan.called_for = {Effect::direct, Effect::diffuse_indirect, Effect::glossy_chain};
+  plan.simulated = {Effect::glossy_chain};
+  plan.max_bounces = 150;
+  /// Seen, then so many scatterings, the last of them of this kind.
+  const auto chain = [](std::size_t scatterings, PathEvent last) {
+    std::vector<PathEvent> path(scatterings + 3, PathEvent::diffuse_reflection);
+    path.front() = PathEvent::camera, path[scatterings + 1] = last, path.back() = PathEvent::emitter;
+    return path;
+  };
+  const PathAutomaton all(light_paths_of(plan)), last(light_paths_of(plan, false, {150, 150})),
+      later(light_paths_of(plan, false, {120, {}}));
+  EXPECT_TRUE(all.matches(chain(150, PathEvent::glossy_reflection)));
+  EXPECT_FALSE(all.matches(chain(150, PathEvent::diffuse_reflection)));
+  EXPECT_FALSE(all.matches(chain(151, PathEvent::glossy_reflection)));
+  EXPECT_TRUE(last.matches(chain(150, PathEvent::mirror_reflection)));
+  EXPECT_FALSE(last.matches(chain(149, PathEvent::mirror_reflection)));
+  EXPECT_TRUE(later.matches(chain(120, PathEvent::glossy_reflection)));
+  EXPECT_FALSE(later.matches(chain(119, PathEvent::glossy_reflection)));
+}
+
 /// Every choice of effects: the paths of its plan are those of its classes, one by one.
 TEST(EffectPlan, ClassesOfEffectsPartThePaths) {
   const EffectSet classes{Effect::direct, Effect::diffuse_indirect, Effect::glossy_chain};

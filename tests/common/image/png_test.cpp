@@ -2,14 +2,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <boost/crc.hpp>
-#include <cstdint>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "common/core/atomic_file.h"
 #include "common/image/decoded_image.h"
+#include "common/image/image_file.h"
 #include "common/image/srgb.h"
 #include "tests/common/image/reading_error.h"
+#include "tests/support/icc_bytes.h"
+#include "tests/support/png_bytes.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {
@@ -17,41 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string big_endian(std::uint32_t number) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xffU);
-  return bytes;
-}
-
-std::string chunk(const std::string& letters_and_data) {
-  boost::crc_32_type checksum;
-  checksum.process_bytes(letters_and_data.data(), letters_and_data.size());
-  return big_endian(static_cast<std::uint32_t>(letters_and_data.size() - 4)) + letters_and_data + big_endian(checksum.checksum());
-}
-
-/// A zlib stream of one block that is not compressed.
-std::string stored(const std::string& data) {
-  std::uint32_t a = 1, b = 0;  // Adler-32
-  for (const char c : data) {
-    a = (a + static_cast<unsigned char>(c)) % 65521U;
-    b = (b + a) % 65521U;
-  }
-  const auto length = static_cast<unsigned>(data.size());
-  std::string stream = "\x78\x01\x01";
-  for (const unsigned half : {length, ~length}) {
-    stream += static_cast<char>(half & 0xffU);
-    stream += static_cast<char>(half >> 8 & 0xffU);
-  }
-  return stream + data + big_endian(b << 16 | a);
-}
-
-/// `kind`: 0 grey, 2 colours, 3 palette; `rows`: each begins with the number of its filter, 0.
-std::string png(std::uint32_t width, std::uint32_t height, char depth, char kind, const std::string& more_chunks,
-                const std::string& pixel_stream) {
-  return std::string("\x89PNG\r\n\x1a\n", 8) +
-         chunk("IHDR" + big_endian(width) + big_endian(height) + depth + kind + std::string(3, '\0')) + more_chunks +
-         chunk("IDAT" + pixel_stream) + chunk("IEND");
-}
+using namespace test::png_bytes;
 
 TEST(Png, APaletteGivesItsColoursAndTheirAlpha) {
   const std::string palette = chunk(std::string("PLTE\xff\0\0\0\x33\0", 10)) + chunk(std::string("tRNS\x80", 5));
@@ -110,6 +79,78 @@ TEST(Png, TooFewRowsAreAnError) {
   const auto [written, thrown] = written_and_thrown(png(1, 3, 8, 0, "", stored(std::string("\0\x40", 2))));
   EXPECT_EQ(written, "");
   EXPECT_THAT(thrown, HasSubstr("cannot be read as an image"));
+}
+
+std::string numbers(const std::vector<std::uint32_t>& values) {
+  std::string bytes;
+  for (const std::uint32_t value : values) bytes += big_endian(value);
+  return bytes;
+}
+
+// Encoded 0x80, 0x40, 0x20: one pixel.
+const std::string& colour_row() {
+  static const std::string row("\0\x80\x40\x20", 4);
+  return row;
+}
+
+/// One pixel of those levels in a file with these chunks.
+ImageFile pixel_with(const std::string& chunks) {
+  const test::ScratchFolder folder;
+  const std::string bytes = png(1, 1, 8, 2, chunks, stored(colour_row()));
+  write_file_atomically(folder / "a.png", bytes);
+  return read_image_file(folder / "a.png");
+}
+
+// In hundred-thousandths; white first.
+const std::vector<std::uint32_t> chromaticities_of_srgb{31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000};
+const std::vector<std::uint32_t> chromaticities_of_p3{31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000};
+
+TEST(Png, GammaIsFollowed) {
+  const ImageFile linear = pixel_with(chunk("gAMA" + big_endian(100000)));
+  EXPECT_FLOAT_EQ(linear.image.pixels[0].r, 128.0F / 255.0F);
+  EXPECT_FLOAT_EQ(linear.image.pixels[0].b, 32.0F / 255.0F);
+  const ImageFile half = pixel_with(chunk("gAMA" + big_endian(50000)));
+  EXPECT_FLOAT_EQ(half.image.pixels[0].g, std::pow(64.0F / 255.0F, 2.0F));
+  EXPECT_TRUE(half.warnings.empty());
+}
+
+TEST(Png, ChromaticitiesAreFollowedAfterTheCurve) {
+  const Rgb same = pixel_with(chunk("cHRM" + numbers(chromaticities_of_srgb))).image.pixels[0];
+  EXPECT_FLOAT_EQ(same.r, srgb_to_linear(128.0F / 255.0F));
+  // Linear Display P3 to sRGB, both of the white D65, to the four digits in which the matrix is published (CSS Color 4, 12).
+  const Rgb p3 = pixel_with(chunk("gAMA" + big_endian(100000)) + chunk("cHRM" + numbers(chromaticities_of_p3))).image.pixels[0];
+  const float r = 128.0F / 255.0F, g = 64.0F / 255.0F, b = 32.0F / 255.0F;
+  EXPECT_NEAR(p3.r, 1.2249F * r - 0.2247F * g, 2e-4F);
+  EXPECT_NEAR(p3.g, -0.0420F * r + 1.0419F * g, 2e-4F);
+  EXPECT_NEAR(p3.b, -0.0197F * r - 0.0786F * g + 1.0979F * b, 2e-4F);
+}
+
+TEST(Png, TheChunkSrgbStandsForTheOthers) {
+  const Rgb pixel = pixel_with(chunk("gAMA" + big_endian(100000)) + chunk("cHRM" + numbers(chromaticities_of_p3)) +
+                               chunk(std::string("sRGB\0", 5)))
+                        .image.pixels[0];
+  EXPECT_FLOAT_EQ(pixel.r, srgb_to_linear(128.0F / 255.0F));
+  EXPECT_FLOAT_EQ(pixel.g, srgb_to_linear(64.0F / 255.0F));
+}
+
+TEST(Png, ColourChunksThatSayNothingAreNamed) {
+  const ImageFile nothing = pixel_with(chunk("gAMA" + big_endian(0)) + chunk("cHRM" + std::string(4, '\0')));
+  EXPECT_FLOAT_EQ(nothing.image.pixels[0].r, srgb_to_linear(128.0F / 255.0F));
+  EXPECT_THAT(nothing.warnings, testing::ElementsAre(HasSubstr("gAMA"), HasSubstr("cHRM")));
+  EXPECT_THAT(pixel_with(chunk(std::string("cICP\x09\x10\0\1", 8))).warnings, testing::ElementsAre(HasSubstr("cICP")));
+  EXPECT_TRUE(pixel_with(chunk(std::string("cICP\x01\x0d\0\1", 8))).warnings.empty());
+}
+
+TEST(Png, AProfileIsNamedUnlessItIsThatOfSrgb) {
+  const auto profile = [](const std::string& keyword, const std::string& description) {
+    return chunk("iCCP" + keyword + std::string(2, '\0') + stored(test::icc_profile(description)));
+  };
+  EXPECT_THAT(pixel_with(profile("icc", "Adobe RGB (1998)")).warnings,
+              testing::ElementsAre("its embedded colour profile \"Adobe RGB (1998)\" is not applied"));
+  EXPECT_TRUE(pixel_with(profile("icc", "sRGB IEC61966-2.1")).warnings.empty());
+  // What libpng does not take for a profile has its keyword.
+  EXPECT_THAT(pixel_with(chunk(std::string("iCCPodd\0\0", 9) + stored("no profile"))).warnings,
+              testing::ElementsAre("its embedded colour profile \"odd\" is not applied"));
 }
 
 }  // namespace

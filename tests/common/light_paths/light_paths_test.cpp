@@ -203,5 +203,33 @@ TEST(LightPaths, CountsThatMakeTooManyStatesAreBadInput) {
   EXPECT_THROW(PathAutomaton("C.{0,70000}L"), InputError);
 }
 
+std::string refusal_of(const std::string& text) {
+  try {
+    PathAutomaton automaton(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// Without their bounds the first three take hours or gigabytes, the others the stack.
+TEST(LightPaths, WhatIsWrittenSoThatItNeverEndsIsRefused) {
+  EXPECT_THAT(refusal_of("C(.{0,300}){0,300}[LOB]"), testing::HasSubstr("counts inside counts can be taken in too many ways"));
+  EXPECT_THAT(refusal_of("C((D|DD|DDD){0,200}G{0,200}){0,50}[LOB]"), testing::HasSubstr("lower them, or write *"));
+  EXPECT_THAT(refusal_of("C(((D{0,0}){100000}){100000}){100000}L"), testing::HasSubstr("lower them, or write *"));
+  EXPECT_THAT(refusal_of("CD" + std::string(200000, '*') + "L"), testing::HasSubstr("at most 10 operators"));
+  EXPECT_THAT(refusal_of("C" + std::string(200000, '[') + "L"), testing::HasSubstr("at most 100 brackets"));
+  EXPECT_LT(refusal_of("C" + std::string(200000, '[') + "L").size(), 400U) << "no line fills the terminal";
+}
+
+TEST(PathAutomaton, OfThousandsOfStatesIsMinimalToo) {
+  // A state a scattering, each told from the next by the last only: what takes a round of refinement for each state.
+  const PathAutomaton bounded("C.{0,60000}[LOB]");
+  EXPECT_EQ(bounded.size(), 60002U);
+  EXPECT_TRUE(equivalent(PathAutomaton("C.{0,60001}[LOB]"), PathAutomaton("C(..){0,30000}(D{0,0}|.)[LOB]")));
+  EXPECT_FALSE(equivalent(bounded, PathAutomaton("C.{0,60001}[LOB]")));
+  EXPECT_EQ(PathAutomaton("C(D{1000}|D{1000})*[LOB]").size(), 1001U);
+}
+
 }  // namespace
 }  // namespace gibench

@@ -11,6 +11,7 @@
 #include "common/image/srgb.h"
 #include "tests/common/image/formats/image_files.h"
 #include "tests/common/image/reading_error.h"
+#include "tests/support/icc_bytes.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {
@@ -67,6 +68,26 @@ TEST(ImageFormats, ReadsTiledHalfCroppedAndGreyExr) {
   const Image radiance = read_image(folder / "probe.hdr");
   EXPECT_NEAR(radiance.pixels[0].r, 12.5F, 0.1F);
   EXPECT_TRUE(read_image_file(folder / "probe.hdr").high_dynamic_range);
+}
+
+/// A JPEG with a profile behind its first mark (ICC.1:2010, annex B.4).
+void add_profile(const std::filesystem::path& from, const std::filesystem::path& to, const std::string& profile) {
+  const std::string bytes = read_file(from), data = std::string("ICC_PROFILE\0\1\1", 14) + profile;
+  const std::size_t length = data.size() + 2;
+  const std::string segment = std::string("\xff\xe2") + static_cast<char>(length >> 8) + static_cast<char>(length & 0xff) + data;
+  write_file_atomically(to, bytes.substr(0, 2) + segment + bytes.substr(2));
+}
+
+TEST(ImageFormats, ProfilesOfJpegsAreNamedUnlessTheyAreThatOfSrgb) {
+  const ScratchFolder folder;
+  test::write_sample_files(folder.path());
+  add_profile(folder / "rgb8.jpg", folder / "p3.jpg", test::icc_profile("Display P3"));
+  add_profile(folder / "rgb8.jpg", folder / "srgb.jpg", test::icc_profile("sRGB IEC61966-2.1"));
+  EXPECT_TRUE(read_image_file(folder / "rgb8.jpg").warnings.empty());
+  EXPECT_TRUE(read_image_file(folder / "srgb.jpg").warnings.empty());
+  const ImageFile named = read_image_file(folder / "p3.jpg");
+  EXPECT_THAT(named.warnings, testing::ElementsAre("its embedded colour profile \"Display P3\" is not applied"));
+  EXPECT_EQ(named.image.pixels[0], read_image(folder / "rgb8.jpg").pixels[0]);
 }
 
 TEST(ImageFormats, TruncatedFilesAreRefused) {

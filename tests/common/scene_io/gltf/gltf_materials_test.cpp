@@ -3,6 +3,7 @@
 
 #include "common/image/image_file.h"
 #include "tests/common/scene_io/gltf/gltf_builder.h"
+#include "tests/support/png_bytes.h"
 
 namespace gibench::test {
 namespace {
@@ -145,6 +146,17 @@ TEST_F(GltfMaterialsTest, SamplersCarryOnThePicture) {
   made.document["samplers"] = {{{"wrapS", 33071}}};
   made.document["textures"][0]["sampler"] = 0;
   expect_near(material_of(made).diffuse, Rgb(0.0F), rounding_of_8_bits);
+}
+
+// glTF 2.0, 3.8.3: what pictures state of their colours must be ignored.
+TEST_F(GltfMaterialsTest, PicturesAreSrgbWhateverTheyState) {
+  using namespace png_bytes;
+  GltfBuilder made = square_with_picture({Rgb(0.0F)});
+  const std::string linear = chunk("gAMA" + big_endian(100000)) + chunk(std::string("iCCPodd\0\0", 9) + stored("none"));
+  write_text(folder_ / "p.png", png(1, 1, 8, 2, linear, stored(std::string("\0\x80\x80\x80", 4))));
+  const Scene scene = load_document(made);
+  expect_near(scene.materials.at(0).diffuse, Rgb(0.2158605F) * dielectric_share);
+  EXPECT_THAT(scene.warnings, ElementsAre(testing::Not(HasSubstr("profile"))));
 }
 
 TEST_F(GltfMaterialsTest, APictureInsideTheFileNeedsNoOtherFile) {

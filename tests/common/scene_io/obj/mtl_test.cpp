@@ -3,6 +3,7 @@
 
 #include "common/image/image_file.h"
 #include "tests/common/scene_io/scene_text.h"
+#include "tests/support/png_bytes.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench::test {
@@ -144,6 +145,16 @@ TEST_F(MtlPictureTest, SurfaceWithoutTexturePointsHasTheWhole) {
   const Scene scene = load_scene(folder_ / "m.obj");
   EXPECT_NEAR(scene.materials.at(0).diffuse.r, 0.5F, 1e-4F);
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("that of the whole")));
+}
+
+TEST_F(MtlTest, APictureFollowsItsFileAndWhatIsNotFollowedIsNamed) {
+  using namespace png_bytes;
+  const std::string stated = chunk("gAMA" + big_endian(100000)) + chunk(std::string("iCCPodd\0\0", 9) + stored("none"));
+  write_text(folder_ / "p.png", png(1, 1, 8, 2, stated, stored(std::string("\0\x80\x40\x20", 4))));
+  const Scene scene = load_with("map_Kd p.png\n");
+  EXPECT_NEAR(scene.materials.at(0).diffuse.r, 128.0F / 255.0F, 1e-6F);
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("the picture \"p.png\": its embedded colour profile \"odd\" is not applied")));
 }
 
 }  // namespace

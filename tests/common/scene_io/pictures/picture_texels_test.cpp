@@ -13,6 +13,7 @@
 #include "common/image/image_file.h"
 #include "common/image/image_plugin.h"
 #include "common/image/srgb.h"
+#include "tests/support/png_bytes.h"
 #include "tests/support/scratch_folder.h"
 
 namespace gibench {
@@ -49,6 +50,20 @@ TEST(PictureTexels, LevelsAreDecodedAndAlphaIsNot) {
   EXPECT_FLOAT_EQ(picture.texels[0].opacity, 128.0F / 255.0F);
   EXPECT_FLOAT_EQ(picture.texels[1].colour.b, srgb_to_linear(10.0F / 255.0F));
   EXPECT_EQ(picture.texels[1].opacity, 1.0F);
+}
+
+TEST(PictureTexels, ColourSpacesOfFilesCountForColoursOnly) {
+  using namespace test::png_bytes;
+  const std::string linear = chunk("gAMA" + big_endian(100000)) + chunk(std::string("iCCPodd\0\0", 9) + stored("none"));
+  const std::string bytes = png(1, 1, 8, 2, linear, stored(std::string("\0\x80\x40\x20", 4)));
+  const PictureTexels as_stated = read_texels(bytes, "a.png"), as_srgb = read_texels(bytes, "a.png", TexelValues::srgb);
+  const PictureTexels data = read_texels(bytes, "a.png", TexelValues::data);
+  EXPECT_FLOAT_EQ(as_stated.texels[0].colour.r, 128.0F / 255.0F);
+  EXPECT_THAT(as_stated.remarks, testing::ElementsAre(HasSubstr("colour profile \"odd\" is not applied")));
+  EXPECT_FLOAT_EQ(as_srgb.texels[0].colour.r, srgb_to_linear(128.0F / 255.0F));
+  EXPECT_TRUE(as_srgb.remarks.empty());
+  EXPECT_FLOAT_EQ(data.texels[0].colour.g, 64.0F / 255.0F);
+  EXPECT_TRUE(data.remarks.empty());
 }
 
 TEST(PictureTexels, DataStaysAsItStands) {

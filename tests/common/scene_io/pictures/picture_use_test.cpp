@@ -36,7 +36,7 @@ std::vector<UvTriangle> rectangle(Vec2 low, Vec2 high) {
 }
 
 PictureMean mean_over(const PictureTexels& picture, const std::vector<UvTriangle>& triangles, PictureWrap wrap = {}) {
-  return mean_over_triangles(picture, triangles, std::vector<double>(triangles.size(), 1.0), wrap);
+  return mean_over_triangles(TexelSums(picture), triangles, std::vector<double>(triangles.size(), 1.0), wrap);
 }
 
 /// The means of red and opacity over many random points of one triangle.
@@ -70,7 +70,7 @@ TEST(PictureUse, OnlyTheHalfThatIsUsedCounts) {
   EXPECT_EQ(mean_over(picture, rectangle({0.5F, 0.0F}, {1.0F, 1.0F})).colour, Rgb(1.0F));
   EXPECT_EQ(mean_over(picture, rectangle({0.0F, 0.0F}, {0.5F, 1.0F})).colour, Rgb(0.0F));
   EXPECT_FLOAT_EQ(mean_over(picture, rectangle({0.0F, 0.0F}, {1.0F, 1.0F})).colour.r, 0.5F);
-  EXPECT_FLOAT_EQ(mean_of_picture(picture).colour.g, 0.5F);
+  EXPECT_FLOAT_EQ(mean_of_picture(TexelSums(picture)).colour.g, 0.5F);
 }
 
 TEST(PictureUse, VRunsUpwards) {
@@ -93,7 +93,7 @@ TEST(PictureUse, TransparentTexelsHaveNoColour) {
   const PictureMean mean = mean_over(leaf, rectangle({0.0F, 0.0F}, {1.0F, 1.0F}));
   EXPECT_EQ(mean.colour, Rgb(0.25F, 0.5F, 1.0F));
   EXPECT_NEAR(mean.opacity, 0.75, 1e-12);
-  const PictureMean none = mean_of_picture(picture_of(2, 2, [](int, int) { return Texel{Rgb(1.0F), 0.0F}; }));
+  const PictureMean none = mean_of_picture(TexelSums(picture_of(2, 2, [](int, int) { return Texel{Rgb(1.0F), 0.0F}; })));
   EXPECT_EQ(none.opacity, 0.0);
   EXPECT_EQ(none.colour, Rgb());
 }
@@ -104,7 +104,7 @@ TEST(PictureUse, TrianglesCountByTheirAreaOnTheSurface) {
   std::vector<UvTriangle> triangles = rectangle({0.0F, 0.0F}, {0.5F, 1.0F});
   for (const UvTriangle& triangle : rectangle({0.5F, 0.0F}, {1.0F, 1.0F})) triangles.push_back(triangle);
   const std::vector<double> areas{3.0, 3.0, 1.0, 1.0};
-  EXPECT_FLOAT_EQ(mean_over_triangles(picture, triangles, areas).colour.r, 0.25F);
+  EXPECT_FLOAT_EQ(mean_over_triangles(TexelSums(picture), triangles, areas).colour.r, 0.25F);
 }
 
 TEST(PictureUse, AnyTriangleAndAnyWrapAgreeWithPoints) {
@@ -137,7 +137,7 @@ TEST(PictureUse, PartsMakeTheWhole) {
     areas.push_back(0.5 *
                     std::abs(static_cast<double>((a.x - middle.x) * (b.y - middle.y) - (b.x - middle.x) * (a.y - middle.y))));
   }
-  const PictureMean parts = mean_over_triangles(picture, fan, areas), whole = mean_of_picture(picture);
+  const PictureMean parts = mean_over_triangles(TexelSums(picture), fan, areas), whole = mean_of_picture(TexelSums(picture));
   EXPECT_NEAR(parts.colour.r, whole.colour.r, 1e-6F);
   EXPECT_NEAR(parts.colour.g, whole.colour.g, 1e-6F);
   EXPECT_NEAR(parts.opacity, whole.opacity, 1e-6);
@@ -145,7 +145,7 @@ TEST(PictureUse, PartsMakeTheWhole) {
 
 TEST(PictureUse, APictureLaidManyTimesHasItsMean) {
   const PictureTexels picture = noise(64, 64);
-  const PictureMean whole = mean_of_picture(picture);
+  const PictureMean whole = mean_of_picture(TexelSums(picture));
   // 4096 points (of a fixed sequence, better than independent ones) of colours with a deviation below 0.3: five of their
   // standard errors, over the mean opacity of half.
   constexpr double tolerance = 5.0 * 0.3 / 64.0 / 0.5;
@@ -155,6 +155,17 @@ TEST(PictureUse, APictureLaidManyTimesHasItsMean) {
     EXPECT_NEAR(mean.opacity, whole.opacity, tolerance) << times;
     EXPECT_EQ(mean_over(picture, rectangle({0.0F, 0.0F}, {times, times})).colour, mean.colour) << "the same every time";
   }
+}
+
+TEST(PictureUse, OneSetOfSumsServesAllThatWearThePicture) {
+  const PictureTexels picture = noise(31, 17);
+  const TexelSums sums(picture);
+  const std::vector<UvTriangle> triangles{{Vec2(-0.4F, 0.2F), Vec2(1.7F, 0.4F), Vec2(0.3F, 2.2F)}};
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror, Wrap::repeat}) {
+    const PictureMean mean = mean_over_triangles(sums, triangles, std::vector<double>{1.0}, {wrap, wrap});
+    EXPECT_EQ(mean.colour, mean_over(picture, triangles, {wrap, wrap}).colour);
+  }
+  EXPECT_EQ(mean_of_picture(sums).colour, mean_of_picture(TexelSums(picture)).colour);
 }
 
 TEST(PictureUse, TrianglesThatAreAPointOrALineTakeTheirTexels) {

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "tests/common/scene_io/scene_text.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/common/scene_io/model_text.h"
 
 namespace gibench::test {
 namespace {
@@ -38,36 +37,29 @@ std::string binary_square(bool big_endian, char first = 0) {
   return data;
 }
 
-class PlyTest : public testing::Test {
+class PlyTest : public ModelTextTest {
  protected:
-  Scene load_ply(const std::string& bytes) {
-    write_text(folder_ / "m.ply", bytes);
-    return load_scene(folder_ / "m.ply");
-  }
-  std::string error(const std::string& bytes) {
-    return error_of([&] { load_ply(bytes); });
-  }
-  ScratchFolder folder_;
+  PlyTest() : ModelTextTest("ply") {}
 };
 
 TEST_F(PlyTest, FormatsAndLineEnds) {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     std::string text = header("ascii") + square;
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += std::strlen(end)) text.replace(at, 1, end);
-    EXPECT_NEAR(area_of(load_ply(text)), 4.0, 1e-6);
-    EXPECT_NEAR(area_of(load_ply(header("binary_little_endian", end) + binary_square(false))), 4.0, 1e-6);
-    EXPECT_NEAR(area_of(load_ply(header("binary_big_endian", end) + binary_square(true))), 4.0, 1e-6);
+    EXPECT_NEAR(area_of(load_model(text)), 4.0, 1e-6);
+    EXPECT_NEAR(area_of(load_model(header("binary_little_endian", end) + binary_square(false))), 4.0, 1e-6);
+    EXPECT_NEAR(area_of(load_model(header("binary_big_endian", end) + binary_square(true))), 4.0, 1e-6);
   }
 }
 
 TEST_F(PlyTest, FirstByteOfTheDataMayBeAnyByte) {
   for (int byte = 0; byte < 256; ++byte)
-    EXPECT_NEAR(area_of(load_ply(header("binary_little_endian") + binary_square(false, static_cast<char>(byte)))), 4.0, 1e-4)
+    EXPECT_NEAR(area_of(load_model(header("binary_little_endian") + binary_square(false, static_cast<char>(byte)))), 4.0, 1e-4)
         << byte;
 }
 
 TEST_F(PlyTest, DoublePrecisionStays) {
-  const Scene scene = load_ply(
+  const Scene scene = load_model(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nelement face 1\n"
       "property list uchar int vertex_index\nend_header\n16777216.25 0 0\n16777217.25 0 0\n16777217.25 1 0\n3 0 1 2\n");
   EXPECT_NEAR(area_of(scene), 0.5, 1e-7);
@@ -83,15 +75,15 @@ TEST_F(PlyTest, MeanColourOfTheVerticesIsTheAlbedo) {
     for (const char* place : {"4 0 0", "5 0 0", "5 2 0"}) text += "0 0 " + half + " " + place + "\n";
     return text + area_3_and_1;
   };
-  const Scene scene = load_ply(ply("uchar", "255", "51"));
+  const Scene scene = load_model(ply("uchar", "255", "51"));
   EXPECT_NEAR(scene.material_of_object(0).diffuse.r, 0.75F, 1e-6F);
   EXPECT_NEAR(scene.material_of_object(0).diffuse.b, 0.05F, 1e-6F);
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the mean colour of the vertices is the albedo")));
-  EXPECT_NEAR(load_ply(ply("float", "1", "0.2")).material_of_object(0).diffuse.b, 0.05F, 1e-6F);
+  EXPECT_NEAR(load_model(ply("float", "1", "0.2")).material_of_object(0).diffuse.b, 0.05F, 1e-6F);
 }
 
 TEST_F(PlyTest, StripsAndPolygonsAndWhatIsLeftOut) {
-  const Scene scene = load_ply(
+  const Scene scene = load_model(
       "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nobj_info x\nelement vertex 6\nproperty float x\nproperty float y\n"
       "property float z\nproperty float quality\nelement tristrips 1\nproperty list int int vertex_indices\nelement edge 1\n"
       "property int vertex1\nproperty int vertex2\nend_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n1 1 0 9\n0 2 0 9\n1 2 0 9\n"
@@ -116,7 +108,7 @@ TEST_F(PlyTest, CountsThatTheFileIsTooShortFor) {
   EXPECT_THAT(error(header("binary_little_endian") + long_list), HasSubstr("has a list of 255 numbers"));
   std::string empty_records = header("ascii") + square;
   empty_records.replace(empty_records.find("end_header"), 0, "element nothing 18446744073709551615\n");
-  EXPECT_EQ(load_ply(empty_records).faces.size(), 1U);
+  EXPECT_EQ(load_model(empty_records).faces.size(), 1U);
   EXPECT_THAT(error(header("binary_little_endian") + binary_square(false).substr(0, 48)),
               HasSubstr("it ends before \"face\" 0 of 1"));
 }
@@ -139,7 +131,7 @@ TEST_F(PlyTest, WrongLinesAreNamed) {
   EXPECT_THAT(error(header("ascii") + "0 0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), HasSubstr("line 10: it has more numbers"));
   EXPECT_THAT(error(header("ascii") + "0 0 x\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), HasSubstr("line 10: \"x\" is not a number"));
   EXPECT_THAT(error(header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 -3\n"), HasSubstr("has vertex index -3"));
-  EXPECT_THAT(load_ply(header("ascii") + square + "1 2 3\n").warnings,
+  EXPECT_THAT(load_model(header("ascii") + square + "1 2 3\n").warnings,
               testing::Contains(HasSubstr("5 bytes after the last element")));
 }
 
@@ -153,7 +145,7 @@ TEST_F(PlyTest, ASecondElementOfVerticesIsRefused) {
 TEST_F(PlyTest, ColoursOfFacesAreNamed) {
   std::string text = header("ascii");
   text.insert(text.find("end_header"), "property uchar red\nproperty uchar green\nproperty uchar blue\n");
-  const Scene scene = load_ply(text + "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3 255 0 0\n");
+  const Scene scene = load_model(text + "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3 255 0 0\n");
   EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("the colours of its faces are left out")));
 }
 

@@ -2,8 +2,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "tests/common/scene_io/scene_text.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/common/scene_io/model_text.h"
 
 namespace gibench::test {
 namespace {
@@ -35,16 +34,9 @@ std::string binary(const std::string& head, std::uint32_t announced, int written
   return data;
 }
 
-class StlTest : public testing::Test {
+class StlTest : public ModelTextTest {
  protected:
-  Scene load_stl(const std::string& bytes) {
-    write_text(folder_ / "m.stl", bytes);
-    return load_scene(folder_ / "m.stl");
-  }
-  std::string error(const std::string& bytes) {
-    return error_of([&] { load_stl(bytes); });
-  }
-  ScratchFolder folder_;
+  StlTest() : ModelTextTest("stl") {}
 };
 
 TEST_F(StlTest, TextOfEverySpelling) {
@@ -54,7 +46,7 @@ TEST_F(StlTest, TextOfEverySpelling) {
   for (const std::string& text : {"solid a\n" + facets + "endsolid a\n", "SOLID PART\n" + upper_case(facets) + "ENDSOLID PART\n",
                                   "\n  solid a\n" + facets + "endsolid a\n", "\xEF\xBB\xBFsolid a\r\n" + facets + "endsolid\r\n",
                                   "solid\n" + on_one_line + "\nendsolid\n"}) {
-    const Scene scene = load_stl(text);
+    const Scene scene = load_model(text);
     EXPECT_EQ(scene.faces.size(), 2U) << text;
     EXPECT_EQ(scene.vertices.size(), 4U) << text;  // joined
     EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("no material")));
@@ -63,16 +55,16 @@ TEST_F(StlTest, TextOfEverySpelling) {
 
 TEST_F(StlTest, EachSolidIsAnObject) {
   const Scene scene =
-      load_stl("solid left one\n" + facets + "endsolid\nsolid right\n" + facets + "endsolid\nsolid none\nendsolid\n");
+      load_model("solid left one\n" + facets + "endsolid\nsolid right\n" + facets + "endsolid\nsolid none\nendsolid\n");
   ASSERT_EQ(scene.objects.size(), 2U);
   EXPECT_EQ(scene.objects[0].name, "left one");
   EXPECT_EQ(scene.objects[1].name, "right");
 }
 
 TEST_F(StlTest, BinaryThatBeginsAsText) {
-  EXPECT_EQ(load_stl(binary("solid made by a program", 2, 2)).faces.size(), 2U);
-  EXPECT_THAT(load_stl(binary("made", 1, 2)).warnings, Contains(HasSubstr("50 bytes after the last facet")));
-  EXPECT_THAT(load_stl(binary("COLOR=abcd", 1, 1)).warnings, Contains(HasSubstr("the colours of its facets are left out")));
+  EXPECT_EQ(load_model(binary("solid made by a program", 2, 2)).faces.size(), 2U);
+  EXPECT_THAT(load_model(binary("made", 1, 2)).warnings, Contains(HasSubstr("50 bytes after the last facet")));
+  EXPECT_THAT(load_model(binary("COLOR=abcd", 1, 1)).warnings, Contains(HasSubstr("the colours of its facets are left out")));
 }
 
 TEST_F(StlTest, CutShort) {
@@ -80,7 +72,7 @@ TEST_F(StlTest, CutShort) {
   EXPECT_THAT(error(binary("", 0xFFFFFFFF, 1)), HasSubstr("is cut short"));
   EXPECT_THAT(error("solid a\n" + facets.substr(0, 60)), HasSubstr("is cut short"));
   EXPECT_THAT(error("short"), HasSubstr("is no STL"));
-  EXPECT_THAT(load_stl("solid a\n" + facets).warnings, Contains(HasSubstr("without \"endsolid\"")));
+  EXPECT_THAT(load_model("solid a\n" + facets).warnings, Contains(HasSubstr("without \"endsolid\"")));
 }
 
 TEST_F(StlTest, WrongLinesAreNamed) {
