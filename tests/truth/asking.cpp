@@ -73,15 +73,30 @@ std::vector<SurfaceSample> mean_samples(const World& world, const Question& ques
   return samples;
 }
 
+/// The case's world under the lights that the questions call for.
+class QuestionsWorld {
+ public:
+  QuestionsWorld(const World& world, const Question& question) : world_(&world) {
+    if (question.emitters.empty()) return;
+    other_lights_.emplace(with_emitters(world.scene(), question.emitters), world);
+    world_ = &*other_lights_;
+  }
+  QuestionsWorld(const QuestionsWorld&) = delete;
+  QuestionsWorld& operator=(const QuestionsWorld&) = delete;
+  const World& world() const { return *world_; }
+
+ private:
+  const World* world_;
+  std::optional<World> other_lights_;
+};
+
 /// A method that has seen the scene and its lights.
 class Asked {
  public:
   Asked(const MethodEntry& entry, const World& world, std::optional<int> bounces, const Run& run)
       : world_(world), run_(run), method_(make_session(entry, Parameters(entry.schema, run.settings))) {
     Task task(settings_of(0));
-    if (const auto why = method_->refusal(world.scene())) throw BeyondTheMethod("refused: " + *why);
     const EffectPlan plan = plan_effects(analyse_effects(world, bounces), method_->capabilities().effects);
-    if (!plan.missing.empty()) throw BeyondTheMethod(fmt::format("cannot do: {}", to_string(*plan.missing.begin())));
     require(method_->prepare(world, plan, task));
     require(method_->light(Lighting::of(world.scene()), task));
   }
@@ -168,12 +183,26 @@ bool asked_together(const Question& a, const Question& b) {
 
 }  // namespace
 
+std::string tell(const Answer& a, const Question& q) {
+  return fmt::format("{}: ({:.7g}, {:.7g}, {:.7g}) ± ({:.2g}, {:.2g}, {:.2g}), truth ({:.7g}, {:.7g}, {:.7g})", q.id, a.value.r,
+                     a.value.g, a.value.b, a.standard_error.r, a.standard_error.g, a.standard_error.b, q.value.r, q.value.g,
+                     q.value.b);
+}
+
+std::optional<std::string> beyond(const MethodEntry& entry, const World& world, const std::vector<Question>& questions,
+                                  const std::vector<std::pair<std::string, std::string>>& settings) {
+  const QuestionsWorld lit(world, questions.front());
+  const auto method = make_session(entry, Parameters(entry.schema, settings));
+  if (auto why = method->refusal(lit.world().scene())) return why;
+  const EffectPlan plan = plan_effects(analyse_effects(lit.world(), questions.front().bounces), method->capabilities().effects);
+  if (plan.missing.empty()) return std::nullopt;
+  return fmt::format("cannot do: {}", to_string(*plan.missing.begin()));
+}
+
 std::vector<Answer> ask(const MethodEntry& entry, const World& world, const std::vector<Question>& questions, const Run& run) {
   if (questions.empty()) return {};
-  const std::vector<std::string>& emitters = questions.front().emitters;
-  std::optional<World> other_lights;
-  if (!emitters.empty()) other_lights.emplace(with_emitters(world.scene(), emitters), world);
-  Asked asked(entry, other_lights ? *other_lights : world, questions.front().bounces, run);
+  const QuestionsWorld lit(world, questions.front());
+  Asked asked(entry, lit.world(), questions.front().bounces, run);
   std::vector<Answer> answers;
   for (std::size_t begin = 0; begin < questions.size();) {
     std::size_t end = begin + 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,9 @@ struct Answer {
   RgbDouble standard_error;  ///< zero from a method that does not know it, of a point
 };
 
+/// Both, for a message.
+std::string tell(const Answer& answer, const Question& question);
+
 /// How a method is run.
 struct Run {
   std::vector<std::pair<std::string, std::string>> settings;
@@ -26,13 +30,11 @@ struct Run {
   int mean_points = 256;  ///< in each group
 };
 
-/// The method refuses the scene, or cannot do what the scene calls for.
-class BeyondTheMethod : public WorkError {
- public:
-  using WorkError::WorkError;
-};
+/// Why the method does not answer these questions, all of one emitter set and bounce bound; empty where it does.
+std::optional<std::string> beyond(const MethodEntry& entry, const World& world, const std::vector<Question>& questions,
+                                  const std::vector<std::pair<std::string, std::string>>& settings);
 
-/// One answer for each question, all of one emitter set and bounce bound, in the world of the case. Throws BeyondTheMethod, and
+/// One answer for each question, all of one emitter set and bounce bound, in the world of the case. Throws
 /// WorkError where a stage fails: the message says why.
 std::vector<Answer> ask(const MethodEntry& entry, const World& world, const std::vector<Question>& questions, const Run& run);
 

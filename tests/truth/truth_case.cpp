@@ -98,6 +98,26 @@ std::optional<Question> other_question(const json& j, const World& world) {
   return question;
 }
 
+/// The indirect parts of the totals whose direct parts the case tells, too: in the sum a large direct part would hide them.
+std::vector<Question> derived_indirect(const std::vector<Question>& questions) {
+  std::vector<Question> result;
+  for (const Question& total : questions) {
+    if (total.place != Place::point || total.quantity != Quantity::irradiance || total.component != Component::total) continue;
+    for (const Question& direct : questions) {
+      if (direct.bounces != 0 || total.bounces == 0 || direct.place != Place::point || direct.quantity != total.quantity ||
+          direct.point != total.point || direct.normal != total.normal)
+        continue;
+      Question indirect = total;
+      indirect.id += "_indirect";
+      indirect.component = Component::indirect;
+      indirect.value = total.value - direct.value;
+      indirect.uncertainty += direct.uncertainty;
+      result.push_back(indirect);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 bool TruthCase::has_tag(const std::string& tag) const { return std::find(tags.begin(), tags.end(), tag) != tags.end(); }
@@ -127,6 +147,7 @@ TruthCase load_case(const std::string& id) {
   for (const json& query : j.at("queries")) result.questions.push_back(point_question(query));
   for (const json& other : j.value("other_quantities", json::array()))
     if (const auto question = other_question(other, *result.world)) result.questions.push_back(*question);
+  for (const Question& question : derived_indirect(result.questions)) result.questions.push_back(question);
   for (Question& question : result.questions) {
     question.uncertainty += question.value * relative_error;
     question.smooth = relative_error > 0.0;

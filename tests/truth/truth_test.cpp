@@ -1,203 +1,105 @@
-// Every method against the cases whose answers are known.
-#include <fmt/format.h>
+// Every method against the cases whose answers are known, and the table of what each is asked.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 
-#include "asking.h"
+#include "bounds.h"
+#include "clearance.h"
 #include "method_rules.h"
+#include "pinned_runs.h"
+#include "standard_errors.h"
+#include "tolerances.h"
 
 namespace gibench::truth {
 namespace {
 
-constexpr double rounding = 1e-4;  // relative; what single precision may cost a noise-free value
-constexpr double aim = 0.005;      // relative standard error that the samples are chosen for
-constexpr std::int64_t pilot_samples = 512, most_samples = 1 << 15;
-constexpr int replicates = 64;
-
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-Settings sampling(std::int64_t samples) {
-  return {{"samples", fmt::format("{}", samples)}, {"replicates", fmt::format("{}", replicates)}};
+int number_of(const std::vector<std::vector<Question>>& groups) {
+  int number = 0;
+  for (const auto& group : groups) number += static_cast<int>(group.size());
+  return number;
 }
 
-/// Questions that one preparation of a method answers: the same emitters and bounce bound.
-std::vector<std::vector<Question>> groups_of(const std::vector<Question>& questions) {
-  std::vector<std::vector<Question>> groups;
-  for (const Question& question : questions) {
-    const auto same = [&](const std::vector<Question>& group) {
-      return group.front().emitters == question.emitters && group.front().bounces == question.bounces;
-    };
-    const auto found = std::find_if(groups.begin(), groups.end(), same);
-    if (found == groups.end()) groups.push_back({question});
-    else found->push_back(question);
-  }
-  for (auto& group : groups)
-    std::stable_sort(group.begin(), group.end(), [](const Question& a, const Question& b) {
-      return std::tuple(a.place == Place::mean, a.quantity, a.component) <
-             std::tuple(b.place == Place::mean, b.quantity, b.component);
-    });
-  return groups;
+/// A method that the table has no column for: one that was added to the tree and is asked whatever it does not refuse.
+bool is_pinned(const MethodRule& rule) { return pinned_runs().contains(rule.name()); }
+
+using RuleAndCase = std::tuple<MethodRule, std::string>;
+
+std::vector<RuleAndCase> all_runs() {
+  std::vector<RuleAndCase> runs;
+  for (const MethodRule& rule : all_rules())
+    for (const std::string& id : case_ids())
+      if (!is_pinned(rule) || pinned_runs().at(rule.name()).at(id).value_or(0) > 0) runs.emplace_back(rule, id);
+  return runs;
 }
 
-double relative_error_of(const Answer& answer, const Question& question) {
-  double worst = 0.0;
-  for (int c = 0; c < 3; ++c)
-    if (question.value[c] > 0.0) worst = std::max(worst, answer.standard_error[c] / question.value[c]);
-  return worst;
-}
-
-/// Whether the question's paths are one ray long: cheap, but what they rarely meet has to be met some times.
-bool short_paths(const Question& question) { return question.bounces == 0 || question.quantity == Quantity::accessibility; }
-
-/// The samples, a power of two, that bring a relative standard error of `pilot` at `pilot_samples` down to the aim.
-std::int64_t samples_for(const Question& question, double pilot) {
-  const double wanted = static_cast<double>(pilot_samples) * (pilot / aim) * (pilot / aim);
-  std::int64_t samples = short_paths(question) ? 8192 : 1024;
-  while (static_cast<double>(samples) < wanted && samples < most_samples) samples *= 2;
-  return samples;
-}
-
-/// Mean over the channels of the squared z-scores; empty for an answer without noise.
-std::optional<double> squared_score(const Answer& answer, const Question& question) {
-  double sum = 0.0;
-  int channels = 0;
-  for (int c = 0; c < 3; ++c) {
-    const double scale = std::fabs(question.value[c]);
-    if (!(answer.standard_error[c] > rounding * scale)) continue;
-    const double sigma = std::hypot(answer.standard_error[c], question.uncertainty[c], 0.2 * rounding * scale);
-    const double z = (answer.value[c] - question.value[c]) / sigma;
-    sum += z * z;
-    ++channels;
-  }
-  if (channels == 0) return std::nullopt;
-  return sum / channels;
-}
-
-bool within_errors(const Answer& answer, const Question& question) {
-  for (int c = 0; c < 3; ++c) {
-    const double allowed =
-        std::max(4.0 * answer.standard_error[c] + question.uncertainty[c], rounding * std::fabs(question.value[c]));
-    if (!(std::fabs(answer.value[c] - question.value[c]) <= allowed)) return false;
-  }
-  return true;
-}
-
-std::string tell(const Answer& a, const Question& q) {
-  return fmt::format("{}: ({:.7g}, {:.7g}, {:.7g}) ± ({:.2g}, {:.2g}, {:.2g}), truth ({:.7g}, {:.7g}, {:.7g})", q.id, a.value.r,
-                     a.value.g, a.value.b, a.standard_error.r, a.standard_error.g, a.standard_error.b, q.value.r, q.value.g,
-                     q.value.b);
-}
-
-/// Sum of squared scores and how many there are.
-struct ChiSquare {
-  double sum = 0.0;
-  int count = 0;
-  void add(const std::optional<double>& squared) {
-    if (squared) sum += *squared, ++count;
-  }
-  /// Scores from 64 replicates are Student's t with 63 degrees of freedom: the mean square is 63/61.
-  double expected() const { return count * (replicates - 1.0) / (replicates - 3.0); }
-  double tolerance() const { return 4.0 * std::sqrt(2.2 * count) + 4.0; }
-};
-
-class PathTracedCase {
- public:
-  PathTracedCase(const MethodEntry& entry, const TruthCase& truth, const MethodRule& rule) : entry_(entry), world_(*truth.world) {
-    std::vector<Question> asked;
-    for (const Question& question : truth.questions)
-      if (!left_out(rule, entry, truth, question)) asked.push_back(question);
-    groups_ = groups_of(asked);
-  }
-
-  /// Asks with samples chosen by a pilot (of another seed, so that the choice biases nothing); one that is further off than four
-  /// standard errors is asked once more, with four times the samples and another seed: chance does not strike twice.
-  ChiSquare run() {
-    ChiSquare chi;
-    for (const auto& group : groups_) {
-      for (const auto& [samples, questions] : by_samples(group)) {
-        const std::vector<Answer> answers = ask(entry_, world_, questions, run_with(samples, 2));
-        for (std::size_t i = 0; i < questions.size(); ++i) {
-          chi.add(squared_score(answers[i], questions[i]));
-          check(answers[i], questions[i], samples);
-        }
-      }
-    }
-    return chi;
-  }
-
- private:
-  std::map<std::int64_t, std::vector<Question>> by_samples(const std::vector<Question>& group) const {
-    std::map<std::int64_t, std::vector<Question>> result;
-    std::vector<Question> points;
-    for (const Question& question : group) {
-      if (question.place == Place::mean) result[short_paths(question) ? 32 : 8].push_back(question);
-      else points.push_back(question);
-    }
-    const std::vector<Answer> pilot = ask(entry_, world_, points, run_with(pilot_samples, 1));
-    for (std::size_t i = 0; i < points.size(); ++i)
-      result[samples_for(points[i], relative_error_of(pilot[i], points[i]))].push_back(points[i]);
-    return result;
-  }
-
-  static Run run_with(std::int64_t samples, std::uint64_t seed) { return {sampling(samples), seed, 64, 16}; }
-
-  void check(const Answer& answer, const Question& question, std::int64_t samples) {
-    if (within_errors(answer, question)) return;
-    fmt::print("asked again: {}\n", tell(answer, question));
-    const Answer again = ask(entry_, world_, {question}, run_with(4 * samples, 3)).front();
-    EXPECT_TRUE(within_errors(again, question)) << tell(answer, question) << "\nagain: " << tell(again, question);
-  }
-
-  const MethodEntry& entry_;
-  const World& world_;
-  std::vector<std::vector<Question>> groups_;
-};
-
-/// Methods that do not know their errors: within the rule's tolerance.
-void hold_to_tolerance(const MethodEntry& entry, const TruthCase& truth, const MethodRule& rule) {
-  std::map<Quantity, double> largest_value;
-  std::vector<Question> asked;
-  for (const Question& question : truth.questions) {
-    largest_value[question.quantity] = std::max(largest_value[question.quantity], largest(question.value));
-    if (!left_out(rule, entry, truth, question)) asked.push_back(question);
-  }
-  if (asked.empty()) GTEST_SKIP() << "nothing that " << entry.name << " is asked here";
-  for (const auto& group : groups_of(asked)) {
-    const std::vector<Answer> answers = ask(entry, *truth.world, group, {rule.settings, 1, 1, 16384});
-    for (std::size_t i = 0; i < group.size(); ++i)
-      for (int c = 0; c < 3; ++c) {
-        const double scale = std::max(std::fabs(group[i].value[c]), 0.1 * largest_value[group[i].quantity]);
-        EXPECT_NEAR(answers[i].value[c], group[i].value[c], rule.tolerance_of(group[i].id) * scale + group[i].uncertainty[c])
-            << tell(answers[i], group[i]);
-      }
-  }
-}
-
-class Truth : public testing::TestWithParam<std::tuple<MethodRule, std::string>> {};
+class Truth : public testing::TestWithParam<RuleAndCase> {};
 
 TEST_P(Truth, Holds) {
   const auto& [rule, id] = GetParam();
-  const MethodEntry& entry = find_method(rule.method);
   const TruthCase truth = load_case(id);
-  try {
-    if (rule.tolerance > 0.0) {
-      hold_to_tolerance(entry, truth, rule);
-      return;
+  const auto groups = asked_of(rule, find_method(rule.method), truth);
+  if (is_pinned(rule)) {
+    ASSERT_EQ(number_of(groups), pinned_runs().at(rule.name()).at(id));
+  } else if (groups.empty()) {
+    GTEST_SKIP() << "nothing that " << rule.method << " is asked here";
+  }
+  if (rule.knows_its_errors) hold_to_standard_errors(rule, truth, groups);
+  else hold_to_bounds(rule, truth, groups);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Truth, testing::ValuesIn(all_runs()),
+                         [](const auto& one) { return std::get<0>(one.param).name() + "_" + std::get<1>(one.param); });
+
+/// A method that begins to refuse a case, or to answer one, is a change that the table has to say.
+TEST(TruthTable, SaysWhatEveryRuleAnswers) {
+  std::set<std::string> columns, methods;
+  for (const auto& [rule, cases] : pinned_runs()) columns.insert(rule);
+  for (const MethodRule& rule : all_rules())
+    if (columns.erase(rule.name()) > 0) methods.insert(rule.method);
+  EXPECT_TRUE(columns.empty()) << "the table has a column for " << *columns.begin() << ", which is no rule";
+  for (const MethodRule& rule : all_rules())
+    EXPECT_EQ(is_pinned(rule), methods.contains(rule.method)) << "the table has no column for " << rule.name();
+  for (const std::string& id : case_ids()) {
+    const TruthCase truth = load_case(id);
+    for (const MethodRule& rule : all_rules()) {
+      if (!is_pinned(rule)) continue;
+      const auto& cases = pinned_runs().at(rule.name());
+      ASSERT_TRUE(cases.contains(id)) << id;
+      if (const auto pinned = cases.at(id)) {
+        EXPECT_EQ(number_of(asked_of(rule, find_method(rule.method), truth)), *pinned) << rule.name() << ' ' << id;
+      }
     }
-    const ChiSquare chi = PathTracedCase(entry, truth, rule).run();
-    fmt::print("{}: chi-square {:.1f} of {} scores\n", id, chi.sum, chi.count);
-    EXPECT_NEAR(chi.sum, chi.expected(), chi.tolerance());
-  } catch (const BeyondTheMethod& error) {
-    GTEST_SKIP() << error.what();
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Truth, testing::Combine(testing::ValuesIn(all_rules()), testing::ValuesIn(case_ids())),
-                         [](const auto& one) { return std::get<0>(one.param).name() + "_" + std::get<1>(one.param); });
+/// No bound for a question or a case that is not asked, none that the tolerance makes needless, none above the ceiling.
+TEST(TruthTable, EveryBoundIsOfSomethingAsked) {
+  std::map<std::string, TruthCase> truths;
+  for (const std::string& id : case_ids()) truths.emplace(id, load_case(id));
+  for (const MethodRule& rule : all_rules()) {
+    const Bounds bounds = bounds_of(rule.name());
+    auto questions = bounds.questions, near_edges = bounds.near_edges;
+    if (questions.empty() && near_edges.empty()) continue;
+    for (const auto& [id, cell] : pinned_runs().at(rule.name())) {
+      if (cell.value_or(0) == 0) continue;
+      for (const auto& group : asked_of(rule, find_method(rule.method), truths.at(id)))
+        for (const Question& question : group) {
+          questions.erase(question.id);
+          if (is_near_edge(truths.at(id), question)) near_edges.erase(near_key(id, question));
+        }
+    }
+    for (const auto& [id, bound] : questions) ADD_FAILURE() << rule.name() << ": " << id << " is not asked";
+    for (const auto& [id, bound] : near_edges) ADD_FAILURE() << rule.name() << ": nothing near an edge is asked of " << id;
+    for (const auto& [id, bound] : bounds.questions) EXPECT_GT(bound.bound, bounds.tolerance) << rule.name() << ' ' << id;
+    for (const auto& [id, bound] : bounds.near_edges) {
+      EXPECT_GT(bound.bound, bounds.tolerance) << rule.name() << ' ' << id;
+      EXPECT_LE(bound.bound, bounds.near_ceiling) << rule.name() << ' ' << id;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace gibench::truth
