@@ -112,7 +112,7 @@
     document.getElementById("definitions").append(element("h2", { id: "definitions-title" }, "Definitions"),
       element("p", { class: "lead" }, "x is the method's value, r the reference's; all on linear values, channels averaged. The squared error is estimated as the mean of (x − A)(x − B) over the two halves of the reference, so that its noise does not count against a method; ",
         "the noise floor is ¼ of the mean (A − B)². Intervals are 95% over the replicates of the reference. Time is prepare + light + shade; reading the scene is the same for all and left out. ",
-        "The Monte Carlo slope is −½ for errors and −1 for squared errors; other metrics are not continued beyond the path tracer's runs. A run is on the front when no other run of the scene is both faster and more accurate."),
+        "The Monte Carlo slope is −½ for errors and −1 for squared errors; other metrics are not continued beyond the path tracer's runs. A run is on the front when no other run of the scene is both faster and more accurate; errors that are not resolved are compared by the upper end of their interval."),
       element("dl", { class: "facts" }, definitions(Object.values(study.metrics).map((metric) => [metric.name, metric.meaning]))));
     document.getElementById("manifest").append(element("h2", { id: "manifest-title" }, "Manifest"),
       element("dl", { class: "facts" }, definitions([["study", study.name], ["created", study.created], ["version", study.version], ["commit", study.commit], ...study.settings, ...study.machine.map(([name, value]) => [`machine ${name}`, value])])),
