@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/core/available_memory.h"
+#include "common/core/byte_size.h"
 #include "common/core/error.h"
 #include "common/core/rgb.h"
 #include "common/ray/world.h"
@@ -39,10 +39,10 @@ void require_memory(const ReferenceQuestion& question, std::uint64_t available) 
   const double share = std::max(0.0, static_cast<double>(available) - needs.image) / std::max(1.0, needs.surface);
   throw InputError(by_surface ? "--surface-samples" : "--width",
                    by_surface ? fmt::format("{} samples and their values take {}, of {} that are free", question.surface_samples,
-                                            memory_text(needs.surface), memory_text(static_cast<double>(available)))
+                                            byte_size(needs.surface), byte_size(static_cast<double>(available)))
                               : fmt::format("pictures of {} x {} pixels with {} camera rays each take {}, of {} that are free",
                                             question.camera->width, question.camera->height, question.pixel_samples,
-                                            memory_text(needs.image), memory_text(static_cast<double>(available))),
+                                            byte_size(needs.image), byte_size(static_cast<double>(available))),
                    by_surface ? fmt::format("ask for fewer than {:.0f}", share * static_cast<double>(question.surface_samples))
                               : "make the picture smaller, or give a smaller --pixel-samples");
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "common/core/byte_size.h"
 #include "reports/tables/format.h"
 #include "reports/tables/table.h"
 
@@ -19,7 +20,8 @@ Cell cell(const std::optional<T>& value, Format format, Raw raw) {
 inline Cell text_cell(const std::string& text) { return {text.empty() ? std::string(dash) : text, text}; }
 inline Cell seconds_cell(std::optional<double> seconds) { return cell(seconds, duration, exact); }
 inline Cell bytes_cell(std::optional<std::uint64_t> bytes) {
-  return cell(bytes, byte_size, [](std::uint64_t value) { return std::to_string(value); });
+  const auto text = [](std::uint64_t value) { return byte_size(static_cast<double>(value)); };
+  return cell(bytes, text, [](std::uint64_t value) { return std::to_string(value); });
 }
 inline Cell count_cell(std::optional<std::uint64_t> count) {
   return cell(count, large_count, [](std::uint64_t value) { return std::to_string(value); });

@@ -10,6 +10,7 @@
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
 #include "tests/reports/fixture/study_fixture.h"
+#include "tests/support/scratch_folder.h"
 
 namespace gibench::report {
 namespace {
@@ -22,12 +23,9 @@ using testing::Not;
 class StudyFixture : public testing::Test {
  protected:
   StudyFixture() { gibench::test::write_study_fixture(folder_); }
-  ~StudyFixture() override { fs::remove_all(folder_); }
 
-  fs::path folder_ = [] {
-    std::string name = (fs::temp_directory_path() / "gibench-study-XXXXXX").string();
-    return fs::path(mkdtemp(name.data()));
-  }();
+  gibench::test::ScratchFolder scratch_;
+  const fs::path& folder_ = scratch_.path();
 };
 
 const StudyRun& run_named(const Study& study, const std::string& id) {
