@@ -185,6 +185,26 @@ TEST(PathTracer, KnowsVarianceOnlyFromTwoReplicatesOn) {
   EXPECT_FALSE(Tracer(furnace(0.5F), {{"samples", "1"}}).method().capabilities().variance);
 }
 
+/// Errors' intervals take the spread over points for that of the seed as well, which holds for noise that no two points share:
+/// the mean over points then varies over seeds as the points' own variances say.
+TEST(PathTracer, NoiseIsIndependentBetweenPoints) {
+  constexpr std::size_t seeds = 200, points = 60;
+  const Tracer tracer(made::box_scene(), {{"samples", "16"}});
+  std::vector<double> means;
+  double told = 0.0;  // variance of the mean over points, from the replicates within each run
+  for (std::size_t seed = 1; seed <= seeds; ++seed) {
+    const Values values = tracer.irradiance(points, seed);
+    means.push_back(mean(values.direct) + mean(values.indirect));
+    told += mean(values.total_variance) / static_cast<double>(points * seeds);
+  }
+  double average = 0.0, squares = 0.0;
+  for (const double one : means) average += one / static_cast<double>(seeds);
+  for (const double one : means) squares += (one - average) * (one - average);
+  const double over_seeds = squares / static_cast<double>(seeds - 1);
+  // A variance from 200 values is known to √(2/199), a tenth.
+  EXPECT_NEAR(over_seeds / told, 1.0, 4.0 * std::sqrt(2.0 / static_cast<double>(seeds - 1)));
+}
+
 TEST(PathTracer, NeitherRouletteNorLightSamplesMoveTheMean) {
   const float albedo = 0.9F;
   const double truth = pi_double / (1.0 - static_cast<double>(albedo));
