@@ -52,7 +52,7 @@
     return [
       plot((width) => plotting.errorPlot(study, gibench.plots, scene, key, width), `${study.metrics[entry.metric].title} of ${entry.of} against time.`, key === first ? [`${stem}.svg`, `${stem}.pdf`] : [], note),
       ...plotting.sweeps(study, scene, key).map((sweep) => plot((width) => plotting.sweepPlot(study, gibench.plots, key, width, sweep), `${study.metrics[entry.metric].title} of ${entry.of} against ${sweep.name}.`, key === first ? [`${stem}-${sweep.name}.svg`, `${stem}-${sweep.name}.pdf`] : [])),
-      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), `Where the time goes.${plotting.rowsNote(points.map((p) => p.index))}`, [`${stages}.svg`, `${stages}.pdf`]),
+      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), `Where the time goes.${plotting.rowsNote(plotting.timedRuns(study, scene, entry.domain))}`, [`${stages}.svg`, `${stages}.pdf`]),
     ];
   }
 

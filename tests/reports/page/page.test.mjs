@@ -251,6 +251,50 @@ test("a table of many rows opens with its first hundred, and shows the rest when
   await page.close();
 });
 
+test("the buttons below a long table are buttons of the page", async () => {
+  const { page } = await open();
+  const style = await page.evaluate(() => {
+    const parent = document.body.appendChild(document.createElement("div"));
+    gibench.inPieces(parent, 1000, () => document.createElement("p"));
+    const { cursor, borderTopWidth } = getComputedStyle(parent.querySelector(".pieces .more"));
+    return { cursor, borderTopWidth };
+  });
+  assert.deepEqual(style, { cursor: "pointer", borderTopWidth: "1px" });
+  await page.close();
+});
+
+test("a missing file of an error is told, and what was shown stays", async () => {
+  const broken = path.join(folder, "broken");
+  execFileSync("cp", ["-r", report, broken]);
+  for (const name of readdirSync(path.join(broken, "data"))) if (/^error-/.test(name)) rmSync(path.join(broken, "data", name));
+  const page = await browser.newPage(), thrown = [];
+  page.on("pageerror", (error) => thrown.push(error.message));
+  await page.goto(pathToFileURL(path.join(broken, "index.html")).href);
+  const before = await page.locator("#metric").inputValue();
+  await page.locator("#metric").selectOption("rmse");
+  await page.locator("#choice-notice").waitFor({ state: "visible" });
+  assert.match(await page.locator("#choice-notice").textContent(), /^data\/error-\d+\.js is missing/);
+  assert.equal(await page.locator("#metric").inputValue(), before);
+  assert.equal(await page.evaluate(() => document.body.dataset.key), "0");
+  assert.deepEqual(thrown, []);
+  await page.close();
+});
+
+test("the note below the plot of stages counts its rows, with the chosen error or without", async () => {
+  const { page } = await open();
+  const counted = await page.evaluate(() => {
+    const { study, plots, plotting } = gibench;
+    const runs = Array.from({ length: 70 }, (_, i) => ({ ...study.runs[0], label: `run ${i}` })), scene = { ...study.scenes[0], runs: runs.map((_, i) => i) };
+    // No run but the first has an error.
+    const made = { ...study, runs, errors: [{ runs: runs.map((_, i) => (i === 0 ? study.errors[0].runs[0] : null)) }] };
+    const timed = plotting.timedRuns(made, scene, "surface");
+    return { note: plotting.rowsNote(timed), rows: plotting.stagesPlot(made, plots, scene, "surface", 600).datasets.totals.length };
+  });
+  assert.equal(counted.note, " The first 60 of 70 rows; the table has all.");
+  assert.equal(counted.rows, 60);
+  await page.close();
+});
+
 test("relighting tells after how many frames preparing has paid, in words, a plot and a table", async () => {
   const { page, problems } = await open({ hash: "#relighting" });
   const section = page.locator("#relighting");
