@@ -51,10 +51,10 @@ inline Cell floor_cell(const Metric& metric, const MeasuredError* error) {
       error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact);
 }
 
-/// The value of a name, empty where it is absent.
-template <class T>
-std::optional<T> at(const std::map<std::string, T>& values, const std::string& name) {
-  const auto found = values.find(name);
+/// The value of a key, empty where it is absent.
+template <class Key, class T>
+std::optional<T> at(const std::map<Key, T>& values, const Key& key) {
+  const auto found = values.find(key);
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 

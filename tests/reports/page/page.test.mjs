@@ -168,7 +168,7 @@ test("every plot of error against time shows every method, and has its table", a
       assert.ok(points.some((label) => label.includes(`Method: ${method}`)), `${method} has points`);
     }
   }
-  assert.deepEqual(await page.locator("section.scene figure.table tbody").evaluateAll((bodies) => bodies.map((body) => body.rows.length)), [9, 13]);
+  assert.deepEqual(await page.locator("section.scene figure.table tbody").evaluateAll((bodies) => bodies.map((body) => body.rows.length)), [9, 36, 13]);
   await page.close();
 });
 
@@ -263,6 +263,24 @@ test("the buttons below a long table are buttons of the page", async () => {
   await page.close();
 });
 
+test("every two runs are compared, and the better one is named only where it is known", async () => {
+  const { page, problems } = await open();
+  const pairs = page.locator("section.scene").first().locator("details.pairs");
+  await pairs.locator("summary").click();
+  const rows = await pairs.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  assert.equal(rows.length, 36);
+  for (const [run, , other, difference, better] of rows) {
+    const [low, high] = difference.match(/\[(.*), (.*)\]/).slice(1).map(Number);
+    assert.equal(better, high < 0 ? run : low > 0 ? other : "–", difference);
+  }
+  assert.ok(rows.some((row) => row[4] !== "–"));
+  const standings = await page.locator("section.scene").first().locator("figure.table").first().locator("tbody td").allTextContents();
+  assert.equal(standings.filter((text) => text === "best").length, 1);
+  assert.equal(await page.locator("section.scene").nth(1).locator("details.pairs").count(), 0, "nothing was compared there");
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
 test("a missing file of an error is told, and what was shown stays", async () => {
   const broken = path.join(folder, "broken");
   execFileSync("cp", ["-r", report, broken]);
@@ -343,7 +361,7 @@ test("without the plot libraries the tables remain, and nothing is asked for in 
   page.on("console", (message) => problems.push(message.text()));
   page.on("requestfailed", (request) => problems.push(request.url()));
   await page.goto(pathToFileURL(path.join(out, "report", "index.html")).href);
-  assert.equal(await page.locator("section.scene").first().locator("figure.table tbody tr").count(), 9);
+  assert.equal(await page.locator("section.scene").first().locator("figure.table").first().locator("tbody tr").count(), 9);
   assert.deepEqual(problems, []);
   await page.close();
 });
