@@ -46,6 +46,11 @@ std::vector<Component> completed_components(const Capabilities& can) {
   return completed;
 }
 
+/// A method that can tell the variance of each value draws each by itself, whether it was set to tell or not.
+bool has_noise_of_points(const MethodEntry& entry) {
+  return make_session(entry, Parameters(entry.schema, {}))->knows_variance(Quantity::irradiance);
+}
+
 }  // namespace
 
 const MethodEntry& method_named(const std::string& name, const std::string& place) { return find_method(name, place); }
@@ -160,7 +165,7 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   record.measured_at = measured_at(question);
   record.light_paths = lit.light_paths, record.complete = lit.complete;
   record.completed = completed_components(lit.method->capabilities());
-  record.noise_of_points = lit.method->knows_variance(Quantity::irradiance);
+  record.noise_of_points = has_noise_of_points(*choice.entry);
   record.load_seconds = scene.seconds;
   record.stages = std::move(lit.stages);
   record.method_bytes = lit.method->bytes();
