@@ -46,7 +46,7 @@ std::vector<Component> completed_components(const Capabilities& can) {
   return completed;
 }
 
-/// A method that can tell the variance of each value draws each by itself, whether it was set to tell or not.
+/// A method that can tell the variance of its values draws every value independently, also where it was not set to tell it.
 bool has_noise_of_points(const MethodEntry& entry) {
   return make_session(entry, Parameters(entry.schema, {}))->knows_variance(Quantity::irradiance);
 }
