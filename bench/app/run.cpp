@@ -32,6 +32,7 @@ struct RunOptions {
   MeasuringOptions measuring;
   PlanOptions plan;
   std::optional<int> per_bounce;
+  int method_seeds = 1;
   std::string reference = "auto", store = "references";
   std::vector<std::string> reference_states;
   std::filesystem::path out;
@@ -89,8 +90,9 @@ void split_errors(const RunOptions& options, const Scene& scene, const Reference
         command_for(options, record.light_paths));
     return;
   }
-  record.split = ErrorSplit{model_errors(all, *some, exposure), errors_against(*some, outcome.surface, outcome.image, exposure),
-                            facts_of(scene, *some)};
+  record.split =
+      ErrorSplit{model_errors(all, *some, exposure),
+                 errors_against(*some, outcome.surface, outcome.image, exposure, outcome.other_seeds), facts_of(scene, *some)};
 }
 
 /// The warning about missing effects gets the size of what is missing.
@@ -163,18 +165,21 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   std::optional<PictureLibrary> pictures;
   if (!options.out.empty() && camera) pictures.emplace();
   std::vector<std::string> warnings;
-  require_memory(question_of(scene.scene(), options.measuring), available_memory());
+  require_memory(question_of(scene.scene(), options.measuring), available_memory(), options.method_seeds);
   const std::optional<Reference> reference = stored_reference(options, scene.scene(), warnings);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out, result_file, options.force);
   RunLog log(folder ? folder->partial() / log_file : std::filesystem::path(), common.quiet);
 
   RunOutcome outcome = run_method(scene, choice, options.measuring, options.plan, common, log);
+  outcome.record.peak_bytes = pictures ? pictures->peak_bytes_without() : peak_bytes();
+  if (reference) add_other_seeds(scene, choice, options.measuring, options.plan, common, options.method_seeds, log, outcome);
   const Exposure exposure = shown_exposure(scene.scene(), outcome, reference);
   if (outcome.image) outcome.record.exposure = exposure;
   if (reference) {
-    outcome.record.errors = errors_against(*reference, outcome.surface, outcome.image, exposure);
+    outcome.record.errors = errors_against(*reference, outcome.surface, outcome.image, exposure, outcome.other_seeds);
     outcome.record.reference = facts_of(scene.scene(), *reference);
+    outcome.pairs = pairs_against(*reference, outcome);
     split_errors(options, scene.scene(), *reference, exposure, outcome, warnings);
     tell_what_is_missing(outcome.record);
   }
@@ -182,7 +187,6 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   outcome.record.warnings.insert(outcome.record.warnings.end(), warnings.begin(), warnings.end());
   for (const std::string& warning : outcome.record.warnings) log.warn(warning);
   stop_if_cancelled();
-  outcome.record.peak_bytes = pictures ? pictures->peak_bytes_without() : peak_bytes();
   if (folder) {
     write_result_files(folder->partial(), outcome, exposure);
     stop_if_cancelled();
@@ -208,6 +212,12 @@ void add_run(CLI::App& app, Call& call) {
   verb->add_option("--per-bounce", options->per_bounce,
                    "Also the errors of each bounce order from 0 to N separately; needs references of their light paths")
       ->check(CLI::Range(0, 64));
+  verb->add_option(
+          "--method-seeds", options->method_seeds,
+          "Seeds, from --seed on, with which the method is run in all, so that its errors' intervals cover the choice of "
+          "the seed; the first alone is timed")
+      ->check(CLI::Range(1, most_method_seeds))
+      ->capture_default_str();
   verb->add_option("--reference-seed", options->measuring.reference_seed,
                    "Seed of the reference, the surface samples and the camera rays")
       ->capture_default_str();

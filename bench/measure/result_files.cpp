@@ -39,7 +39,13 @@ void write_result_files(const std::filesystem::path& folder, const RunOutcome& o
     write_preview(folder / "preview_direct.png", width, height, outcome.image->direct, exposure);
     write_preview(folder / "preview_indirect.png", width, height, outcome.image->indirect, exposure);
   }
-  write_file_atomically(folder / result_file, to_json(outcome.record).dump(2) + "\n");
+  RunRecord record = outcome.record;
+  if (outcome.pairs) {
+    const std::string pairs = to_cbor(*outcome.pairs);
+    write_file_atomically(folder / pair_file, pairs);
+    record.files[pair_file] = checksum_of(pairs);
+  }
+  write_file_atomically(folder / result_file, to_json(record).dump(2) + "\n");
 }
 
 }  // namespace gibench

@@ -10,7 +10,8 @@ namespace gibench {
 inline constexpr const char* log_file = "log.txt";
 
 /// result.json, image.exr (R,G,B total; direct.*, indirect.*, variance.* of the total where known) and
-/// preview.png, preview_direct.png, preview_indirect.png at the exposure. Without a camera only result.json.
+/// preview.png, preview_direct.png, preview_indirect.png at the exposure; without a camera no pictures. With errors also
+/// pairs.cbor, whose checksum stands in the record.
 void write_result_files(const std::filesystem::path& folder, const RunOutcome& outcome, const Exposure& exposure);
 
 /// Pictures as they are shown: values times 2^exposure, sRGB, clamped.

@@ -37,21 +37,52 @@ void check_comparable(const Replicas& all, const Replicas& some) {
 
 }  // namespace
 
+namespace {
+
+/// One component of the answers of every seed.
+std::vector<std::vector<Rgb>> surface_values(const Answers& own, std::span<const SeedAnswers> other_seeds, Component component) {
+  std::vector<std::vector<Rgb>> values{component_of(own, component)};
+  for (const SeedAnswers& other : other_seeds) values.push_back(component_of(other.surface, component));
+  return values;
+}
+
+std::vector<std::vector<Rgb>> image_values(const Answers& own, std::span<const SeedAnswers> other_seeds, Component component) {
+  std::vector<std::vector<Rgb>> values{component_of(own, component)};
+  for (const SeedAnswers& other : other_seeds) values.push_back(component_of(*other.image, component));
+  return values;
+}
+
+}  // namespace
+
 ComponentErrors errors_against(const Reference& reference, const Answers& surface, const std::optional<Answers>& image,
-                               const Exposure& exposure) {
+                               const Exposure& exposure, std::span<const SeedAnswers> other_seeds) {
   check_sizes(reference.surface, surface, Domain::surface);
   if (image) check_sizes(reference.image, *image, Domain::image);
   ComponentErrors errors;
   for (const Component component : all_components) {
     if (!surface.direct.empty())
       errors[component][Domain::surface] =
-          value_errors(component_of(surface, component), component_of(reference.surface, component));
+          value_errors(surface_values(surface, other_seeds, component), component_of(reference.surface, component));
     if (!image) continue;
     const Camera& camera = *reference.question.camera;
-    errors[component][Domain::image] = image_errors(camera.width, camera.height, component_of(*image, component),
+    errors[component][Domain::image] = image_errors(camera.width, camera.height, image_values(*image, other_seeds, component),
                                                     component_of(reference.image, component), exposure);
   }
   return errors;
+}
+
+PairRecord pairs_against(const Reference& reference, const RunOutcome& outcome) {
+  const ReferenceFacts& facts = outcome.record.reference.value();
+  PairRecord pairs{facts.key, facts.samples_per_replica, facts.replicas, {}};
+  for (const Component component : all_components) {
+    if (!outcome.surface.direct.empty())
+      pairs.errors[component][Domain::surface] =
+          pair_terms(surface_values(outcome.surface, outcome.other_seeds, component), component_of(reference.surface, component));
+    if (outcome.image)
+      pairs.errors[component][Domain::image] =
+          pair_terms(image_values(*outcome.image, outcome.other_seeds, component), component_of(reference.image, component));
+  }
+  return pairs;
 }
 
 namespace {

@@ -9,9 +9,12 @@
 
 namespace gibench {
 
-/// Throws InputError where the reference does not fit the answers.
+/// Over the seeds with which the answers were given. Throws InputError where the reference does not fit the answers.
 ComponentErrors errors_against(const Reference& reference, const Answers& surface, const std::optional<Answers>& image,
-                               const Exposure& exposure);
+                               const Exposure& exposure, std::span<const SeedAnswers> other_seeds = {});
+
+/// What compares the run's errors with those of other runs against the same reference, whose facts stand in its record.
+PairRecord pairs_against(const Reference& reference, const RunOutcome& outcome);
 
 /// The reference of some paths compared with that of all: their model error. Both with equally many replicates or the
 /// surplus is left out; replicate by replicate the two may share random numbers, so that their noise is that of the

@@ -46,6 +46,11 @@ std::vector<Component> completed_components(const Capabilities& can) {
   return completed;
 }
 
+/// A method that can tell the variance of its values draws every value independently, also where it was not set to tell it.
+bool has_noise_of_points(const MethodEntry& entry) {
+  return make_session(entry, Parameters(entry.schema, {}))->knows_variance(Quantity::irradiance);
+}
+
 }  // namespace
 
 const MethodEntry& method_named(const std::string& name, const std::string& place) { return find_method(name, place); }
@@ -163,6 +168,7 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   record.measured_at.sealed_share = points.domain.sealed_share;
   record.light_paths = lit.light_paths, record.complete = lit.complete;
   record.completed = completed_components(lit.method->capabilities());
+  record.noise_of_points = has_noise_of_points(*choice.entry);
   record.load_seconds = scene.seconds;
   record.stages = std::move(lit.stages);
   record.method_bytes = lit.method->bytes();
@@ -170,6 +176,24 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   record.warnings = warnings_of(scene.scene(), lit.plan, name);
   if (points.domain.nothing_reached) record.warnings.push_back("surface samples: " + note);
   return outcome;
+}
+
+void add_other_seeds(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
+                     const PlanOptions& options, const WorkOptions& common, int count, RunLog& log, RunOutcome& outcome) {
+  if (count < 2) return;
+  outcome.record.method_seeds = {common.seed};
+  RunLog none({}, true);
+  for (int k = 1; k < count; ++k) {
+    WorkOptions again = common;
+    again.seed = common.seed + static_cast<std::uint64_t>(k);
+    stop_if_cancelled();
+    log.info(fmt::format("again with seed {}, for the intervals", again.seed));
+    RunOutcome other = run_method(scene, choice, measuring, options, again, none);
+    other.surface.total_variance = {};
+    if (other.image) other.image->total_variance = {};
+    outcome.other_seeds.push_back({again.seed, std::move(other.surface), std::move(other.image)});
+    outcome.record.method_seeds.push_back(again.seed);
+  }
 }
 
 }  // namespace gibench

@@ -10,7 +10,9 @@
 #include "bench/measure/measuring.h"
 #include "bench/measure/plan_options.h"
 #include "bench/measure/run_log.h"
+#include "bench/measure/seed_answers.h"
 #include "bench/measure/work_options.h"
+#include "bench/record/pair_record.h"
 #include "bench/record/run_record.h"
 #include "common/core/error.h"
 #include "common/effects/scene_effects.h"
@@ -71,8 +73,15 @@ struct RunOutcome {
   RunRecord record;
   Answers surface;
   std::optional<Answers> image;
+  std::vector<SeedAnswers> other_seeds = {};  ///< what the same run answers with the seeds after its own
+  std::optional<PairRecord> pairs = {};       ///< of its errors, where there are some
 };
 RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
                       const PlanOptions& options, const WorkOptions& common, RunLog& log);
+
+/// Runs the method `count` − 1 times more, prepared and lit anew with each of the seeds after that of `common`, and keeps the
+/// answers. Their time and counters are in no record.
+void add_other_seeds(const LoadedScene& scene, const MethodChoice& choice, const MeasuringOptions& measuring,
+                     const PlanOptions& options, const WorkOptions& common, int count, RunLog& log, RunOutcome& outcome);
 
 }  // namespace gibench

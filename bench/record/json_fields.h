@@ -52,11 +52,10 @@ auto known_name(const All& all, const std::string& name, const std::string& plac
 /// The JSON in a file. Throws InputError that names the file where it cannot be read or is not JSON.
 Json read_json_file(const std::filesystem::path& file);
 
-/// read(JSON of the file); what it throws about a shape that does not fit becomes an InputError about `file`: it is not
+/// read(json) of what a file holds; what it throws about a shape that does not fit becomes an InputError about `file`: it is not
 /// `what` ("a run record").
 template <class Read>
-auto read_record(const std::filesystem::path& file, const std::string& what, const Read& read) {
-  const Json json = read_json_file(file);
+auto record_of(const Json& json, const std::filesystem::path& file, const std::string& what, const Read& read) {
   try {
     if (json.is_object()) return read(json);
   } catch (const nlohmann::json::exception&) {  // as below
@@ -64,6 +63,12 @@ auto read_record(const std::filesystem::path& file, const std::string& what, con
     throw InputError(file.string(), "is not " + what + " (" + unknown.what() + ")", "run the study again");
   }
   throw InputError(file.string(), "is not " + what, "run the study again");
+}
+
+/// The same of a JSON file.
+template <class Read>
+auto read_record(const std::filesystem::path& file, const std::string& what, const Read& read) {
+  return record_of(read_json_file(file), file, what, read);
 }
 
 }  // namespace gibench

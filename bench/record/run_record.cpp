@@ -1,5 +1,6 @@
 #include "bench/record/run_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,8 @@
 namespace gibench {
 
 namespace {
+
+constexpr const char* covered_seed = "method_seed";
 
 Json counters_of(const Counters& counters) {
   Json json = Json::object();
@@ -95,6 +98,7 @@ Json to_json(const ErrorTable& table) {
     if (std::isfinite(error.low) && std::isfinite(error.high)) entry["ci95"] = {error.low, error.high};
     if (error.noise_floor) entry["noise_floor"] = *error.noise_floor;
     entry["resolved"] = error.resolved;
+    write_field(entry, "seed_deviation", error.seed_deviation);
     metrics[name] = std::move(entry);
   }
   return metrics;
@@ -108,6 +112,12 @@ Json to_json(const ParameterValues& values) {
   Json json = Json::object();
   for (const auto& [name, value] : values) json[name] = to_json(value);
   return json;
+}
+
+std::vector<std::string> covered_by_intervals(const RunRecord& record) {
+  std::vector<std::string> covered{"reference", "points"};
+  if (!record.method_seeds.empty() || record.noise_of_points) covered.emplace_back(covered_seed);
+  return covered;
 }
 
 Termination termination_of(const RunRecord& record) {
@@ -146,11 +156,14 @@ Json to_json(const RunRecord& record) {
   json["stages"] = stages_of(record.stages);
   write_exposure(json, record.exposure);
   if (!record.errors.empty()) {
+    json["intervals_cover"] = covered_by_intervals(record);
+    if (!record.method_seeds.empty()) json["method_seeds"] = record.method_seeds;
     json["errors"] = errors_of(record.errors);
     json["error_split"] = split_of(record);
   }
   if (!record.per_bounce.empty()) json["errors_per_bounce"] = bounces_of(record.per_bounce);
   if (record.reference) json["reference"] = to_json(*record.reference);
+  if (!record.files.empty()) json["files"] = to_json(record.files);
   return json;
 }
 
@@ -197,6 +210,7 @@ ErrorValue error_value_of(const Json& json) {
   read_field(json, "noise_floor", error.noise_floor);
   error.resolved = error.low > 0.0 || error.high < 0.0;  // older records do not say
   read_field(json, "resolved", error.resolved);
+  read_field(json, "seed_deviation", error.seed_deviation);
   return error;
 }
 
@@ -273,6 +287,12 @@ RunRecord run_record_of(const Json& json) {
   read_field(json, "warnings", record.warnings);
   record.exposure = exposure_in(json);
   record.errors = errors_in(object_field(json, "errors"));
+  read_field(json, "method_seeds", record.method_seeds);
+  std::vector<std::string> covered;
+  read_field(json, "intervals_cover", covered);
+  record.noise_of_points =
+      record.method_seeds.empty() && std::find(covered.begin(), covered.end(), covered_seed) != covered.end();
+  record.files = file_checksums_of(object_field(json, "files"));
   read_split(object_field(json, "error_split"), record);
   record.per_bounce = bounces_in(object_field(json, "errors_per_bounce"));
   if (const Json* reference = field(json, "reference")) record.reference = reference_facts_of(*reference);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/record/checksums.h"
 #include "bench/record/effect_record.h"
 #include "bench/record/machine.h"
 #include "bench/record/picture_record.h"
@@ -77,11 +78,18 @@ struct RunRecord {
   std::vector<std::string> warnings;
   std::optional<Exposure> exposure;  ///< at which its pictures are shown and FLIP was taken
   ComponentErrors errors;
+  std::vector<std::uint64_t> method_seeds;  ///< over which the errors were taken; empty: `seed` alone
+  /// Whether the method's own noise is independent between points, so that it is among what intervals cover with the points.
+  bool noise_of_points = false;
+  FileChecksums files;                      ///< beside the record: pairs.cbor
   std::optional<ReferenceFacts> reference;  ///< what the errors were taken against
   std::optional<ErrorSplit> split;          ///< where it has not all paths, and both references are there
   std::vector<BounceErrors> per_bounce;
 };
 
+/// What the intervals of its errors cover: "reference", "points", and "method_seed" where the method was run with several, or
+/// its noise is one of the points.
+std::vector<std::string> covered_by_intervals(const RunRecord& record);
 /// How the run ended: by the first stage that says more than "done".
 Termination termination_of(const RunRecord& record);
 /// Seconds of loading, of each stage and, where it was asked, of `shade`: its stages together.

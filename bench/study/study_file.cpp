@@ -231,6 +231,7 @@ Study read_study(const fs::path& file) {
     add_variants(methods[i], top["methods"][i], value->value("tolerance", 0.0), study);
   if (value->contains("reference")) read_reference((*value)["reference"], study);
   read_measuring(*value, top, study.measuring);
+  study.method_seeds = value->value("method_seeds", study.method_seeds);
   read_relights(value->value("relights", json::array()), top["relights"], file.parent_path(), study);
   if (value->contains("time_limit_seconds")) study.time_limit_seconds = (*value)["time_limit_seconds"].get<double>();
   if (value->contains("memory_limit_mb"))

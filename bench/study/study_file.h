@@ -61,6 +61,7 @@ struct Study {
   std::vector<StudyRelight> relights;
   std::optional<StudyReference> reference;
   MeasuringOptions measuring;
+  int method_seeds = 1;  ///< with which each run is made, for its intervals
   std::optional<double> time_limit_seconds;
   std::optional<std::uint64_t> memory_limit_bytes;
 };

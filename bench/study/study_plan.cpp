@@ -53,7 +53,7 @@ std::string run_key(const Study& study, const PlannedRun& run, const WorkOptions
   for (const std::string& argument : plan_arguments(variant.plan)) key.add(argument);
   key.add(common.seed).add(common.threads);
   for (const std::string& argument : arguments_of(study.measuring)) key.add(argument);
-  key.add(study.measuring.reference_seed);
+  key.add(study.measuring.reference_seed).add(study.method_seeds);
   key.add(study.time_limit_seconds.value_or(0.0)).add(study.memory_limit_bytes.value_or(0));
   return key.hex();
 }

@@ -207,6 +207,7 @@ void StudyRunner::run_one(const PlannedRun& run) {
     for (const std::string& setting : variant.settings) arguments.insert(arguments.end(), {"--set", setting});
     const std::vector<std::string> measuring = arguments_of(study_.measuring);
     arguments.insert(arguments.end(), measuring.begin(), measuring.end());
+    if (study_.method_seeds > 1) arguments.insert(arguments.end(), {"--method-seeds", std::to_string(study_.method_seeds)});
     const std::vector<std::string> plan = plan_arguments(variant.plan);
     arguments.insert(arguments.end(), plan.begin(), plan.end());
     if (!asked.reference) arguments.insert(arguments.end(), {"--reference", "none"});

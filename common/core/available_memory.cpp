@@ -1,7 +1,5 @@
 #include "common/core/available_memory.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <fstream>
 #include <limits>
@@ -56,10 +54,6 @@ std::uint64_t available_memory() {
   const std::string second = "/sys/fs/cgroup/memory.", first = "/sys/fs/cgroup/memory/memory.";
   return std::min({available_to_the_system(), left_of(second + "max", second + "current", second + "stat", "inactive_file"),
                    left_of(first + "limit_in_bytes", first + "usage_in_bytes", first + "stat", "total_inactive_file")});
-}
-
-std::string memory_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
 }  // namespace gibench

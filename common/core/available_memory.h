@@ -2,15 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 namespace gibench {
 
 /// Bytes: what the system reports as available, or what the control group of this process leaves where that is less. The largest
 /// number where the system does not say.
 std::uint64_t available_memory();
-
-/// "1.5 GB": decimal units, three digits.
-std::string memory_text(double bytes);
 
 }  // namespace gibench

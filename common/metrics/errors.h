@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "common/core/rgb.h"
 #include "common/image/exposure.h"
@@ -18,11 +19,18 @@ namespace gibench {
 /// that is not finite. Squared errors are taken over independent parts of the reference and are unbiased, also where the error
 /// is smaller than the reference's noise (a negative estimate is given as 0); mape, smape and max contain that noise: the low end
 /// of their interval allows for it, and the first two, like rel_mse, need three replicates. Only rmse and max are there where the
-/// mean of r is not positive. Intervals cover the reference's noise and the choice of points, not the seed of a method.
+/// mean of r is not positive. Intervals cover the reference's noise and the choice of points; with it a method's own noise as
+/// far as that is independent between points.
 ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference);
+
+/// The same of a method that was run with several seeds, a vector of values each: the mean over them, squares before roots.
+/// Intervals cover the choice of the seed too (seeded_estimate.h).
+ErrorTable value_errors(std::span<const std::vector<Rgb>> values, const Replicas& reference);
 
 /// value_errors of the pixels, and the metrics of pictures (picture_errors.h) at the exposure and over its range.
 ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, const Replicas& reference, const Exposure& exposure);
+ErrorTable image_errors(int width, int height, std::span<const std::vector<Rgb>> pixels, const Replicas& reference,
+                        const Exposure& exposure);
 
 /// The metrics of value_errors against a reference that is taken as exact.
 std::map<std::string, double> exact_value_errors(std::span<const Rgb> values, std::span<const Rgb> reference);

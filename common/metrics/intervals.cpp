@@ -38,9 +38,11 @@ Interval student_interval(double value, std::span<const double> influences) {
   return student_interval(value, standard_error(influences), influences.size());
 }
 
-Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts) {
+Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts,
+                              double seed_noise) {
   const double over_replicates = standard_error(influences);
-  const double over_points = parts.size() < 2 ? 0.0 : standard_error(parts);
+  const double spread = parts.size() < 2 ? 0.0 : standard_error(parts);
+  const double over_points = std::sqrt(std::max(0.0, spread * spread - seed_noise));
   return over_points > over_replicates ? student_interval(value, over_points, parts.size())
                                        : student_interval(value, over_replicates, influences.size());
 }

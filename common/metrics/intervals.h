@@ -32,8 +32,10 @@ struct Interval {
 /// value ± t(0.975, R−1) s from the influences of R ≥ 2 replicates, whose mean is taken off.
 Interval student_interval(double value, std::span<const double> influences);
 
-/// The same with the parts of the points; without them as above.
-Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts);
+/// The same with the parts of the points; without them as above. `seed_noise` is what of the variance over points is counted
+/// elsewhere (seeded_estimate.h).
+Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts,
+                              double seed_noise = 0.0);
 
 /// Standard error s of the same.
 double standard_error(std::span<const double> influences);

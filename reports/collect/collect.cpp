@@ -9,6 +9,7 @@
 #include "bench/record/relight_record.h"
 #include "bench/record/study_record.h"
 #include "common/core/error.h"
+#include "reports/collect/compare_runs.h"
 #include "reports/collect/facts.h"
 #include "reports/tables/format.h"
 
@@ -174,6 +175,7 @@ Study collect_study(const fs::path& folder, const MayGoOn& may_go_on) {
     may_go_on();
     study.relights.push_back(relight_of(relight, study));
   }
+  compare_runs(study, may_go_on);
   return study;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bench/record/pair_record.h"
 #include "bench/record/run_record.h"
 #include "common/core/error.h"
 #include "reports/collect/collect.h"
@@ -63,10 +64,12 @@ void read_result(const std::filesystem::path& file, StudyRun& run) {
   run.warnings = record.warnings;
   run.termination = termination_of(record);
   run.errors = errors_of(record.errors);
+  if (const auto pairs = record.files.find(pair_file); pairs != record.files.end()) run.pair_checksum = pairs->second;
   add_split(record, run);
-  run.details = facts_of(written, {"gibench_result", "scene", "method", "parameters", "seed", "threads", "version", "commit",
-                                   "machine", "effects", "seconds", "memory", "counters", "warnings", "termination", "stages",
-                                   "errors", "error_split", "errors_per_bounce"});
+  run.details = facts_of(written, {"gibench_result", "scene",   "method",      "parameters",        "seed",
+                                   "threads",        "version", "commit",      "machine",           "effects",
+                                   "seconds",        "memory",  "counters",    "warnings",          "termination",
+                                   "stages",         "errors",  "error_split", "errors_per_bounce", "files"});
 }
 
 }  // namespace gibench::report

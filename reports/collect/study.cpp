@@ -35,6 +35,16 @@ std::optional<double> StudyRun::transport_seconds(Domain domain) const {
   return seconds_of(Stage::prepare).value_or(0.0) + seconds_of(Stage::light).value_or(0.0) + *shade;
 }
 
+std::optional<Comparison> StudyScene::comparison(const ErrorKey& key, std::size_t run, std::size_t other) const {
+  const auto of_key = comparisons.find(key);
+  if (of_key == comparisons.end()) return std::nullopt;
+  for (const Comparison& found : of_key->second) {
+    if (found.run == run && found.other == other) return found;
+    if (found.run == other && found.other == run) return found.reversed();
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> Study::machines() const {
   std::vector<std::string> known;
   for (const StudyRun& run : runs)

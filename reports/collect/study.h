@@ -64,6 +64,7 @@ struct StudyRun {
   /// All light paths of the scene: no model error, and all error is discretisation error. Empty where the record does not say.
   std::optional<bool> complete;
   std::map<ErrorKey, MeasuredError> errors;
+  std::string pair_checksum;  ///< of the terms by which its errors are compared with others'; empty where there are none
   std::map<ErrorKey, MeasuredError> model_errors, discretisation_errors;  ///< empty where they were not measured
   /// By number of reflections; of a bounce that is complete the model errors are empty.
   struct Bounce {
@@ -112,6 +113,18 @@ struct StudyRelight {
   }
 };
 
+/// The error of one run minus that of another against the same reference, at the same points.
+struct Comparison {
+  std::size_t run = 0, other = 0;  ///< positions in the study's runs
+  double difference = 0.0;         ///< in the metric's unit
+  double low = 0.0, high = 0.0;    ///< its 95% interval
+
+  /// Whether the interval leaves out zero: one of the two is the better one.
+  bool told_apart() const { return low > 0.0 || high < 0.0; }
+  /// Seen from the other run.
+  Comparison reversed() const { return {other, run, -difference, -high, -low}; }
+};
+
 struct StudyScene {
   std::string name;
   std::optional<std::string> skipped;   ///< why the study left the scene out
@@ -121,6 +134,11 @@ struct StudyScene {
   Facts facts;                          ///< camera, resolution, geometry, …
   std::filesystem::path reference_folder;
   Facts reference;  ///< reference.json; empty where there is none
+  /// Of every two of the runs whose errors are smallest, as they are shown; empty where they cannot be compared.
+  std::map<ErrorKey, std::vector<Comparison>> comparisons;
+
+  /// Null where the two were not compared. The comparison of `run` with `other`.
+  std::optional<Comparison> comparison(const ErrorKey& key, std::size_t run, std::size_t other) const;
 };
 
 struct Study {

@@ -22,6 +22,7 @@
 
   // The error that every plot and table shows: a position in study.keys, or null when nothing was measured.
   let chosen = study.keys.length ? 0 : null;
+  let shown = chosen;
   const frames = [];
 
   function show() {
@@ -29,6 +30,7 @@
     sections.split(chosen);
     study.scenes.forEach((scene, index) => sections.sceneResults(scene, index, frames[index], chosen));
     document.body.dataset.key = String(chosen);
+    shown = chosen;
   }
 
   // The position of the asked-for error, or of the nearest that was measured.
@@ -46,8 +48,16 @@
   function loadErrors(key) {
     if (study.errors[key]) return Promise.resolve();
     return new Promise((resolve, reject) => {
-      document.head.append(element("script", { src: `data/error-${key}.js`, onload: resolve, onerror: () => reject(new Error(`data/error-${key}.js is missing`)) }));
+      const file = `data/error-${key}.js`, check = () => (study.errors[key] ? resolve() : reject(new Error(`${file} is damaged`)));
+      document.head.append(element("script", { src: file, onload: check, onerror: () => reject(new Error(`${file} is missing`)) }));
     });
+  }
+
+  // Says on the page what could not be shown; an empty text takes it away.
+  function tell(text) {
+    const notice = document.getElementById("choice-notice");
+    notice.hidden = text === "";
+    notice.textContent = text;
   }
 
   function drawChoice() {
@@ -62,8 +72,18 @@
       chosen = keyOf(domain, component, metric);
       drawChoice();
       const wanted = chosen;
-      await loadErrors(wanted);
-      if (wanted === chosen) show();
+      try {
+        await loadErrors(wanted);
+      } catch (error) {
+        if (wanted !== chosen) return;
+        chosen = shown;
+        drawChoice();
+        tell(`${error.message}, so that this error cannot be shown; make the report again.`);
+        return;
+      }
+      if (wanted !== chosen) return;
+      tell("");
+      show();
     };
     const focused = document.activeElement?.id;
     target.replaceChildren(

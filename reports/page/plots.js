@@ -189,12 +189,13 @@
     });
   }
 
+  // The runs of a scene that have a row in the plot of stages: those whose time is known, with the chosen error or without it.
+  const timedRuns = (study, scene, domain) => scene.runs.filter((index) => study.runs[index].status === "done" && study.runs[index].time[domain] > 0);
+
   function stagesPlot(study, templates, scene, domain, width) {
     const stages = [], totals = [];
-    for (const index of scene.runs) {
+    for (const index of timedRuns(study, scene, domain).slice(0, mostRows)) {
       const run = study.runs[index], total = run.time[domain];
-      if (run.status !== "done" || !(total > 0)) continue;
-      if (totals.length === mostRows) break;
       const shade = run.seconds[`shade_${domain}`] ?? run.seconds.shade;
       [["prepare", run.seconds.prepare], ["light", run.seconds.light], ["shade", shade]].forEach(([stage, value], rank) => {
         if (value > 0) stages.push({ run: run.label, stage, rank, share: value / total, time: seconds(value) });
@@ -251,5 +252,5 @@
     });
   }
 
-  gibench.plotting = { errorPlot, errorPoints, payOffPlot, rankingPlot, rowsNote, splitPlot, stagesPlot, sweepPlot, sweeps };
+  gibench.plotting = { errorPlot, errorPoints, payOffPlot, rankingPlot, rowsNote, splitPlot, stagesPlot, sweepPlot, sweeps, timedRuns };
 })(globalThis.gibench ?? (globalThis.gibench = {}));

@@ -52,7 +52,7 @@
     return [
       plot((width) => plotting.errorPlot(study, gibench.plots, scene, key, width), `${study.metrics[entry.metric].title} of ${entry.of} against time.`, key === first ? [`${stem}.svg`, `${stem}.pdf`] : [], note),
       ...plotting.sweeps(study, scene, key).map((sweep) => plot((width) => plotting.sweepPlot(study, gibench.plots, key, width, sweep), `${study.metrics[entry.metric].title} of ${entry.of} against ${sweep.name}.`, key === first ? [`${stem}-${sweep.name}.svg`, `${stem}-${sweep.name}.pdf`] : [])),
-      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), `Where the time goes.${plotting.rowsNote(points.map((p) => p.index))}`, [`${stages}.svg`, `${stages}.pdf`]),
+      plot((width) => plotting.stagesPlot(study, gibench.plots, scene, entry.domain, width), `Where the time goes.${plotting.rowsNote(plotting.timedRuns(study, scene, entry.domain))}`, [`${stages}.svg`, `${stages}.pdf`]),
     ];
   }
 
@@ -103,7 +103,9 @@
     if (!frame.measured) return;
     frame.measured.replaceChildren(...(key === null ? [element("p", { class: "note" }, "No run of the study measured an error.")] : plotsOf(scene, key)));
     const isDefault = key === null || key === 0;
-    frame.tableHolder.replaceChildren(table(study.errors[key ?? 0].tables[index], { files: isDefault ? scene.slug : null, methodColumn: 1 }));
+    const { tables, pairs } = study.errors[key ?? 0];
+    frame.tableHolder.replaceChildren(table(tables[index], { files: isDefault ? scene.slug : null, methodColumn: 1 }),
+      ...(pairs[index].rows.length ? [element("details", { class: "block pairs" }, element("summary", {}, "Every two runs: which is the better one"), table(pairs[index], { files: isDefault ? `${scene.slug}-pairs` : null, methodColumn: 1 }))] : []));
   }
 
   function fixedSections() {
@@ -111,8 +113,8 @@
       study.failures.rows.length ? table(study.failures) : element("p", {}, "Every run of the study has a result."));
     document.getElementById("definitions").append(element("h2", { id: "definitions-title" }, "Definitions"),
       element("p", { class: "lead" }, "x is the method's value, r the reference's; all on linear values, channels averaged. The squared error is estimated as the mean of (x − A)(x − B) over the two halves of the reference, so that its noise does not count against a method; ",
-        "the noise floor is ¼ of the mean (A − B)². Intervals are 95% over the replicates of the reference. Time is prepare + light + shade; reading the scene is the same for all and left out. ",
-        "The Monte Carlo slope is −½ for errors and −1 for squared errors; other metrics are not continued beyond the path tracer's runs. A run is on the front when no other run of the scene is both faster and more accurate."),
+        "the noise floor is ¼ of the mean (A − B)². Intervals are 95% over the replicates of the reference and the points, and over the method's seeds where a run tried several. Time is prepare + light + shade; reading the scene is the same for all and left out. ",
+        "The Monte Carlo slope is −½ for errors and −1 for squared errors; other metrics are not continued beyond the path tracer's runs. A run is on the front when no other run of the scene is both faster and more accurate; errors that are not resolved are compared by the upper end of their interval."),
       element("dl", { class: "facts" }, definitions(Object.values(study.metrics).map((metric) => [metric.name, metric.meaning]))));
     document.getElementById("manifest").append(element("h2", { id: "manifest-title" }, "Manifest"),
       element("dl", { class: "facts" }, definitions([["study", study.name], ["created", study.created], ["version", study.version], ["commit", study.commit], ...study.settings, ...study.machine.map(([name, value]) => [`machine ${name}`, value])])),

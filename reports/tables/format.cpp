@@ -29,14 +29,6 @@ std::string duration(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
-std::string byte_size(std::uint64_t bytes) {
-  const auto size = static_cast<double>(bytes);
-  if (size < 1e3) return fmt::format("{} B", bytes);
-  if (size < 1e6) return significant(size / 1e3) + " kB";
-  if (size < 1e9) return significant(size / 1e6) + " MB";
-  return significant(size / 1e9) + " GB";
-}
-
 std::string large_count(std::uint64_t count) {
   const auto size = static_cast<double>(count);
   if (size < 1e4) return fmt::format("{}", count);

@@ -17,8 +17,6 @@ inline constexpr std::string_view dash = "–";
 std::string significant(double value, int digits = 3);
 /// 12.3 ms, 4.56 s, 2 min 5 s, 1 h 2 min.
 std::string duration(double seconds);
-/// Decimal units: 19.2 MB.
-std::string byte_size(std::uint64_t bytes);
 /// 7.80 M, 512.
 std::string large_count(std::uint64_t count);
 /// 12.3×.

@@ -56,6 +56,8 @@ double shown_value(const Metric& metric, const MeasuredError& error) {
   return metric.better == Better::nearer_to_zero ? std::max(std::abs(*error.low), std::abs(*error.high)) : *error.high;
 }
 
+double shown_badness(const Metric& metric, const MeasuredError& error) { return badness(metric, shown_value(metric, error)); }
+
 ErrorKey usual_key() { return {Domain::surface, Component::indirect, headline_metric}; }
 
 std::vector<ErrorKey> measured_keys(const Study& study) {

@@ -29,6 +29,8 @@ double badness(const Metric& metric, double value);
 std::optional<std::pair<double, double>> badness_interval(const Metric& metric, const MeasuredError& error);
 /// The value of a resolved error; of another the end of its interval that is farthest from "no error": it may be as large.
 double shown_value(const Metric& metric, const MeasuredError& error);
+/// The badness of the value that is shown: what runs are ordered by.
+double shown_badness(const Metric& metric, const MeasuredError& error);
 
 /// The error that a report shows where none was measured.
 ErrorKey usual_key();

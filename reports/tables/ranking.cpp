@@ -10,7 +10,8 @@
 namespace gibench::report {
 namespace {
 
-/// What is compared on one scene: the shown error and the time.
+/// What is compared on one scene: the error as it is shown, which of one that is not resolved is its interval's far end, and the
+/// time. What may be as large as another counts as no smaller.
 struct Entry {
   std::size_t run;
   double error;
@@ -22,49 +23,30 @@ std::optional<Entry> entry_of(const Study& study, std::size_t run, const ErrorKe
   const StudyRun& record = study.runs[run];
   const MeasuredError* error = record.error(key);
   if (record.status != RunStatus::done || !error) return std::nullopt;
-  return Entry{run, badness(metric, shown_value(metric, *error)), record.transport_seconds(key.domain), error->resolved};
+  return Entry{run, shown_badness(metric, *error), record.transport_seconds(key.domain), error->resolved};
 }
 
-/// Ranks by error. Errors that are not resolved share a rank before the resolved ones, behind those that are smaller still.
+/// Ranks by error; equal ones share a rank.
 void rank_errors(const std::vector<Entry>& entries, const std::map<std::size_t, RankedRun*>& ranked) {
-  std::vector<double> resolved;
+  std::vector<double> errors;
+  for (const Entry& entry : entries) errors.push_back(entry.error);
+  std::ranges::sort(errors);
   for (const Entry& entry : entries)
-    if (entry.resolved) resolved.push_back(entry.error);
-  std::ranges::sort(resolved);
-  const auto unresolved = entries.size() - resolved.size();
-  for (const Entry& entry : entries) {
-    const auto smaller = static_cast<std::size_t>(std::ranges::lower_bound(resolved, entry.error) - resolved.begin());
-    ranked.at(entry.run)->error_rank = static_cast<int>(1 + smaller + (entry.resolved ? unresolved : 0));
-  }
+    ranked.at(entry.run)->error_rank = static_cast<int>(1 + (std::ranges::lower_bound(errors, entry.error) - errors.begin()));
 }
-
-/// The most accurate of some runs.
-struct MostAccurate {
-  double resolved = std::numeric_limits<double>::infinity();  ///< smallest error that is resolved
-  bool any_unresolved = false;
-
-  void add(const Entry& entry) {
-    if (entry.resolved) resolved = std::min(resolved, entry.error);
-    else any_unresolved = true;
-  }
-  bool beats(const Entry& entry) const { return resolved < entry.error || (any_unresolved && entry.resolved); }
-  bool equals_or_beats(const Entry& entry) const { return resolved <= entry.error || any_unresolved; }
-};
 
 /// Marks the runs that no other run beats: by time without being less accurate, or by accuracy without being slower.
 void mark_front(const std::vector<Entry>& entries, const std::map<std::size_t, RankedRun*>& ranked) {
   std::vector<Entry> timed;
   std::ranges::copy_if(entries, std::back_inserter(timed), [](const Entry& entry) { return entry.seconds.has_value(); });
-  std::ranges::sort(timed, {}, [](const Entry& entry) { return std::pair(*entry.seconds, entry.run); });
-  MostAccurate faster;
+  std::ranges::sort(timed, {}, [](const Entry& entry) { return std::tuple(*entry.seconds, entry.error, entry.run); });
+  double smallest = std::numeric_limits<double>::infinity();  // of the faster ones
   for (auto first = timed.begin(); first != timed.end();) {
     const auto last = std::find_if(first, timed.end(), [&](const Entry& entry) { return *entry.seconds > *first->seconds; });
-    MostAccurate as_fast = faster;
-    std::for_each(first, last, [&](const Entry& entry) { as_fast.add(entry); });
     std::for_each(first, last, [&](const Entry& entry) {
-      ranked.at(entry.run)->on_front = !faster.equals_or_beats(entry) && !as_fast.beats(entry);
+      ranked.at(entry.run)->on_front = entry.error < smallest && entry.error == first->error;
     });
-    faster = as_fast;
+    smallest = std::min(smallest, first->error);
     first = last;
   }
 }
@@ -175,7 +157,7 @@ std::optional<SpeedUp> speed_up(const Baseline& baseline, const StudyRun& run, c
   // The path tracer's own error, unknown or not, takes the path tracer's time.
   if (!error->resolved && run.method == baseline_method) return SpeedUp{.factor = 1.0};
   const Metric metric = metric_info(key.metric);
-  const auto at = baseline.errors.seconds_at(badness(metric, shown_value(metric, *error)));
+  const auto at = baseline.errors.seconds_at(shown_badness(metric, *error));
   if (!at) return std::nullopt;
   SpeedUp speed{.factor = at->seconds / *seconds, .at_least = !error->resolved, .extrapolated = at->extrapolated};
   const auto interval = badness_interval(metric, *error);

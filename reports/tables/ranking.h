@@ -70,8 +70,9 @@ class SpeedUps {
 struct RankedRun {
   std::optional<std::size_t> run;  ///< position in the study's runs; empty: not in the study
   std::optional<SpeedUp> speed_up;
-  std::optional<int> error_rank;  ///< 1 is the smallest error on this scene; runs whose error is not resolved share a rank
-  bool on_front = false;          ///< no other run of the scene is both faster and more accurate
+  /// 1 is the smallest error on this scene, that of an error that is not resolved taken at its interval's far end.
+  std::optional<int> error_rank;
+  bool on_front = false;  ///< no other run of the scene is both faster and more accurate, errors taken likewise
 };
 
 /// One configuration (method and label) across the scenes.

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "reports/tables/format.h"
+#include "reports/tables/standing.h"
 #include "reports/tables/table_columns.h"
 
 namespace gibench::report {
@@ -36,6 +37,9 @@ void add_speed_up_ends(Columns<Row>& columns, const std::string& name, Of of) {
 struct SceneRow {
   const StudyRun& run;
   std::optional<SpeedUp> speed_up;
+  std::optional<Standing> standing;  ///< beside the most accurate run; empty where they were not compared
+
+  std::optional<Comparison> beside_best() const { return standing ? standing->beside_best : std::nullopt; }
 };
 
 struct ErrorRow {
@@ -43,6 +47,25 @@ struct ErrorRow {
   const ErrorKey& key;
   const MeasuredError& error;
 };
+
+/// How the run stands beside the most accurate one; the columns of CSV hold the difference and its interval.
+void add_standing(Columns<SceneRow>& columns, const Metric& metric) {
+  const auto beside = [](const SceneRow& row) { return row.beside_best(); };
+  using Beside = std::optional<Comparison>;
+  columns
+      .cells({"Beside the best", "beside_best"},
+             [metric](const SceneRow& row) {
+               const std::string text = row.standing ? standing_text(metric, *row.standing) : std::string(dash);
+               const auto comparison = row.beside_best();
+               return Cell{text, comparison ? exact(comparison->difference) : ""};
+             })
+      .in_csv("beside_best_ci95_low", beside,
+              [](const Beside& found) { return number_cell(found ? std::optional(found->low) : std::nullopt); })
+      .in_csv("beside_best_ci95_high", beside,
+              [](const Beside& found) { return number_cell(found ? std::optional(found->high) : std::nullopt); })
+      .in_csv("beside_best_told_apart", beside,
+              [](const Beside& found) { return found ? flag_cell(found->told_apart()) : text_cell(""); });
+}
 
 /// " (surfaces: seen)": where the scene's surface samples lie, if its records say so.
 std::string domain_phrase(const Study& study, const std::string& scene, const ErrorKey& key) {
@@ -82,10 +105,12 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
       .text("Method", "method", [](const SceneRow& row) { return row.run.method; })
       .text("Status", "status", [](const SceneRow& row) { return status_text(row.run.status); })
       .error(metric.title + " [95% interval]", key.metric, metric, [&](const SceneRow& row) { return row.run.error(key); })
-      .cells({"Noise floor", "noise_floor"}, [&](const SceneRow& row) { return floor_cell(metric, row.run.error(key)); })
-      .cells({"Speed-up", "speed_up"}, [](const SceneRow& row) {
-        return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
-      });
+      .cells({"Noise floor", "noise_floor"}, [&](const SceneRow& row) { return floor_cell(metric, row.run.error(key)); });
+  const std::map<std::size_t, Standing> compared = standings(study, scene, key);
+  if (!compared.empty()) add_standing(columns, metric);
+  columns.cells({"Speed-up", "speed_up"}, [](const SceneRow& row) {
+    return cell(row.speed_up, speed_up_text, [](const SpeedUp& speed) { return exact(speed.factor); });
+  });
   add_speed_up_ends(columns, "speed_up", std::mem_fn(&SceneRow::speed_up));
   columns.seconds("Time", "seconds", [&](const SceneRow& row) { return row.run.transport_seconds(key.domain); })
       .seconds("Prepare", "prepare_seconds", stage(Stage::prepare))
@@ -97,11 +122,15 @@ Table scene_table(const Study& study, std::size_t scene, const ErrorKey& key) {
       .count("Occlusion rays", "occlusion_rays", counter("occlusion_rays"));
   SpeedUps speed_ups(study, name, key);
   std::vector<SceneRow> rows;
-  for (const std::size_t run : study.runs_of(name)) rows.push_back({study.runs[run], speed_ups.of(study.runs[run])});
+  for (const std::size_t run : study.runs_of(name))
+    rows.push_back({study.runs[run], speed_ups.of(study.runs[run]), at(compared, run)});
   return columns.table(
       scene_slug(study, scene),
-      name + ": " + metric.title + " of " + describe(key) + domain_phrase(study, name, key) +
-          " with its 95% interval, speed-up over the path tracer at equal error (* beyond its measured errors, ≥ a lower bound), "
+      name + ": " + metric.title + " of " + describe(key) + domain_phrase(study, name, key) + " with its 95% interval" +
+          (compared.empty()
+               ? ""
+               : ", how it differs from the smallest one where the 95% interval of the difference tells them apart") +
+          ", speed-up over the path tracer at equal error (* beyond its measured errors, ≥ a lower bound), "
           "seconds, memory and rays.",
       rows);
 }

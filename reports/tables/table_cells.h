@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "common/core/byte_size.h"
 #include "reports/tables/format.h"
 #include "reports/tables/table.h"
 
@@ -19,7 +20,8 @@ Cell cell(const std::optional<T>& value, Format format, Raw raw) {
 inline Cell text_cell(const std::string& text) { return {text.empty() ? std::string(dash) : text, text}; }
 inline Cell seconds_cell(std::optional<double> seconds) { return cell(seconds, duration, exact); }
 inline Cell bytes_cell(std::optional<std::uint64_t> bytes) {
-  return cell(bytes, byte_size, [](std::uint64_t value) { return std::to_string(value); });
+  const auto text = [](std::uint64_t value) { return byte_size(static_cast<double>(value)); };
+  return cell(bytes, text, [](std::uint64_t value) { return std::to_string(value); });
 }
 inline Cell count_cell(std::optional<std::uint64_t> count) {
   return cell(count, large_count, [](std::uint64_t value) { return std::to_string(value); });
@@ -49,10 +51,10 @@ inline Cell floor_cell(const Metric& metric, const MeasuredError* error) {
       error ? error->noise_floor : std::nullopt, [&](double floor) { return error_value(metric, floor); }, exact);
 }
 
-/// The value of a name, empty where it is absent.
-template <class T>
-std::optional<T> at(const std::map<std::string, T>& values, const std::string& name) {
-  const auto found = values.find(name);
+/// The value of a key, empty where it is absent.
+template <class Key, class T>
+std::optional<T> at(const std::map<Key, T>& values, const Key& key) {
+  const auto found = values.find(key);
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 

@@ -9,6 +9,7 @@
 #include "reports/collect/facts.h"
 #include "reports/tables/format.h"
 #include "reports/tables/method_style.h"
+#include "reports/tables/pair_tables.h"
 #include "reports/tables/study_tables.h"
 
 namespace gibench::report {
@@ -255,12 +256,17 @@ std::string page_data(const Study& study, const std::vector<std::vector<PagePict
 }
 
 std::string error_data(const Study& study, const ErrorKey& key, std::size_t position) {
-  Json runs = Json::array(), tables = Json::array();
+  Json runs = Json::array(), tables = Json::array(), pairs = Json::array();
   for (const StudyRun& run : study.runs) runs.push_back(error_json(run, key));
-  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) tables.push_back(table_json(scene_table(study, scene, key)));
-  return assignment(
-      fmt::format("study.errors[{}]", position),
-      {{"runs", runs}, {"ranking", ranking_json(study, key)}, {"split", split_json(study, key)}, {"tables", tables}});
+  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) {
+    tables.push_back(table_json(scene_table(study, scene, key)));
+    pairs.push_back(table_json(pair_table(study, scene, key)));
+  }
+  return assignment(fmt::format("study.errors[{}]", position), {{"runs", runs},
+                                                                {"ranking", ranking_json(study, key)},
+                                                                {"split", split_json(study, key)},
+                                                                {"tables", tables},
+                                                                {"pairs", pairs}});
 }
 
 std::string plot_templates(const std::filesystem::path& folder) {

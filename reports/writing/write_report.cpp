@@ -7,6 +7,7 @@
 #include "common/core/error.h"
 #include "common/core/write_failure.h"
 #include "reports/collect/facts.h"
+#include "reports/tables/pair_tables.h"
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
 #include "reports/writing/render_plots.h"
@@ -33,7 +34,10 @@ void write_table(const fs::path& folder, const Table& table) {
 void write_tables(const Study& study, const fs::path& folder) {
   const std::vector<ErrorKey> keys = measured_keys(study);
   const ErrorKey key = keys.empty() ? usual_key() : keys.front();
-  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) write_table(folder, scene_table(study, scene, key));
+  for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) {
+    write_table(folder, scene_table(study, scene, key));
+    if (const Table pairs = pair_table(study, scene, key); !pairs.rows.empty()) write_table(folder, pairs);
+  }
   write_table(folder, ranking_table(study, key, rank(study, key)));
   for (const Table& table :
        {run_table(study), error_table(study), effect_matrix(study), effect_table(study), failure_table(study), call_table(study),

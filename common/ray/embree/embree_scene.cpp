@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "common/core/available_memory.h"
+#include "common/core/byte_size.h"
 #include "common/core/error.h"
 
 namespace gibench {
@@ -18,7 +18,7 @@ constexpr std::uint64_t least_address_space = std::uint64_t{1} << 30U;  // bytes
 void require_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_address_space) return;
-  throw WorkError("this process may take " + memory_text(static_cast<double>(limit.rlim_cur)) +
+  throw WorkError("this process may take " + byte_size(static_cast<double>(limit.rlim_cur)) +
                   " of address space, too little for rays: allow at least 1.07 GB (ulimit -v 1048576)");
 }
 

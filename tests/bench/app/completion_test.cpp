@@ -120,7 +120,7 @@ Words bash_offers(const Workshop& shop, const std::string& words, const std::str
 TEST(CompletionInBash, VerbsOptionsAndScenes) {
   const Workshop shop;
   EXPECT_THAT(bash_offers(shop, "re"), ElementsAre("reference", "relight", "report"));
-  EXPECT_THAT(bash_offers(shop, "run cornell-box --meth"), ElementsAre("--method"));
+  EXPECT_THAT(bash_offers(shop, "run cornell-box --meth"), ElementsAre("--method", "--method-seeds"));
   EXPECT_THAT(bash_offers(shop, "run cornell-b"), ElementsAre("cornell-box"));
   EXPECT_THAT(bash_offers(shop, "run cornell-b", "'" GIBENCH_PROGRAM "'"), ElementsAre("cornell-box")) << "by its path";
 }

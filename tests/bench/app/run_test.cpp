@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "bench/record/checksums.h"
+#include "bench/record/pair_record.h"
 #include "tests/bench/app/program.h"
 
 namespace gibench::test {
@@ -212,6 +214,73 @@ TEST(Run, ErrorsAreTakenAgainstTheStoredReference) {
       EXPECT_TRUE(error.contains("noise_floor"));
     }
   EXPECT_TRUE(result["errors"]["total"]["image"].contains("flip"));
+}
+
+TEST(Run, SeveralSeedsWidenTheIntervalsAndAreTold) {
+  const Workshop shop;
+  ASSERT_EQ(shop.gibench(with({"reference", "room.scene.json", "--samples", "32"}, small)).status, 0);
+  const std::vector<std::string> arguments =
+      with({"run", "room.scene.json", "--method", "meshless", "--set", "levels=2", "--set", "coarsest_samples=50"}, small);
+  const auto outcome_of = [&](const std::string& out, const std::vector<std::string>& more) {
+    const Outcome outcome = shop.gibench(with(with(arguments, {"--out", out}), more));
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    return shop.read_json(out + "/result.json");
+  };
+  const auto one = outcome_of("one", {"--seed", "5"}), three = outcome_of("three", {"--seed", "5", "--method-seeds", "3"});
+  EXPECT_EQ(one["intervals_cover"], (std::vector<std::string>{"reference", "points"}));
+  EXPECT_FALSE(one.contains("method_seeds"));
+  EXPECT_EQ(three["intervals_cover"], (std::vector<std::string>{"reference", "points", "method_seed"}));
+  EXPECT_EQ(three["method_seeds"], (std::vector<int>{5, 6, 7}));
+  EXPECT_EQ(three["counters"], one["counters"]) << "the first run alone is measured";
+  EXPECT_EQ(shop.read("one/preview.png"), shop.read("three/preview.png"));
+  double squares = 0.0;
+  for (const char* seed : {"5", "6", "7"}) {
+    const auto alone = outcome_of(std::string("seed-") + seed, {"--seed", seed});
+    squares += std::pow(alone["errors"]["indirect"]["surface"]["rmse"]["value"].get<double>(), 2);
+  }
+  const auto& error = three["errors"]["indirect"]["surface"]["rmse"];
+  EXPECT_NEAR(error["value"].get<double>(), std::sqrt(squares / 3.0), 1e-6 * error["value"].get<double>());
+  EXPECT_GT(error["seed_deviation"].get<double>(), 0.0);
+  EXPECT_FALSE(one["errors"]["indirect"]["surface"]["rmse"].contains("seed_deviation"));
+  expect_bad_input(shop.gibench(with(arguments, {"--method-seeds", "0"})), {"--method-seeds"});
+}
+
+/// Of the path tracer the spread over points holds its own noise.
+TEST(Run, ThePathTracersIntervalsCoverItsSeed) {
+  const Workshop shop;
+  ASSERT_EQ(shop.gibench(with({"reference", "room.scene.json", "--samples", "16"}, small)).status, 0);
+  const auto covered = [&](const char* replicates) {
+    return shop
+        .gibench(with({"run", "room.scene.json", "--method", "pathtracer", "--set", "samples=4", "--set",
+                       std::string("replicates=") + replicates, "--json"},
+                      small))
+        .json()["intervals_cover"];
+  };
+  for (const char* replicates : {"1", "2"})
+    EXPECT_EQ(covered(replicates), (std::vector<std::string>{"reference", "points", "method_seed"})) << replicates;
+}
+
+TEST(Run, WithErrorsLeavesWhatComparesThemWithOthers) {
+  const Workshop shop;
+  ASSERT_EQ(shop.gibench(with({"reference", "room.scene.json", "--samples", "32"}, small)).status, 0);
+  for (const char* samples : {"4", "16"})
+    ASSERT_EQ(shop.gibench(with({"run", "room.scene.json", "--method", "pathtracer", "--set", std::string("samples=") + samples,
+                                 "--out", samples},
+                                small))
+                  .status,
+              0);
+  auto result = shop.read_json("4/result.json");
+  EXPECT_EQ(result["files"]["pairs.cbor"], checksum_of(shop.read("4/pairs.cbor")));
+  const PairRecord coarse = read_pair_record(shop / "4/pairs.cbor"), fine = read_pair_record(shop / "16/pairs.cbor");
+  ASSERT_TRUE(can_be_compared(coarse, fine));
+  for (const Component component : all_components)
+    for (const Domain domain : all_domains) {
+      const PairTerms &a = *coarse.terms(component, domain), &b = *fine.terms(component, domain);
+      EXPECT_EQ(a.parts.size(), 64U) << "as many as points and pixels";
+      const double error = result["errors"][to_string(component)][to_string(domain)]["rmse"]["value"].get<double>();
+      EXPECT_NEAR(std::sqrt(std::max(0.0, a.value)), error, 1e-9);
+      EXPECT_GT(difference_of("rmse", a, b)->value, 0.0) << "a quarter of the paths";
+    }
 }
 
 TEST(Run, AMethodWithoutDirectLightIsCompletedAndTheRecordSaysSo) {

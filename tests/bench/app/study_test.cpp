@@ -45,6 +45,20 @@ TEST(Study, RunsEverythingAndWritesTheManifest) {
     EXPECT_THAT(entry.path().filename(), testing::AnyOf("manifest.json", "runs", "references")) << "nothing is left over";
 }
 
+TEST(Study, RunsWithSeveralSeedsWhereItSaysSo) {
+  const Workshop shop;
+  Json several = small_study({1});
+  several["method_seeds"] = 3;
+  ASSERT_EQ(study(shop, several).status, 0);
+  const std::string folder = "out/runs/room.pathtracer-samples=1/";
+  EXPECT_EQ(shop.read_json(folder + "result.json")["method_seeds"], (std::vector<int>{1, 2, 3}));
+  EXPECT_TRUE(shop.read_json(folder + "run.json")["files"].contains("pairs.cbor"));
+  ASSERT_EQ(study(shop, small_study({1})).status, 0);
+  EXPECT_FALSE(shop.read_json(folder + "result.json").contains("method_seeds")) << "another number of seeds runs again";
+  several["method_seeds"] = 65;
+  expect_bad_input(study(shop, several), {"method_seeds"});
+}
+
 TEST(Study, ASecondCallKeepsWhatIsFinishedAndDoesTheRest) {
   const Workshop shop;
   ASSERT_EQ(study(shop, small_study({1})).status, 0);

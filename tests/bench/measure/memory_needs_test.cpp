@@ -55,6 +55,13 @@ TEST(MemoryNeeds, TheHintFits) {
   EXPECT_EQ(refusal(question, 8 * gigabyte), "");
 }
 
+TEST(MemoryNeeds, GrowWithTheSeeds) {
+  ReferenceQuestion question;
+  question.surface_samples = 1'000'000;
+  EXPECT_EQ(refusal(question, gigabyte), "");
+  EXPECT_THROW(require_memory(question, gigabyte, 64), InputError);
+}
+
 TEST(AvailableMemory, IsThere) { EXPECT_GT(available_memory(), 10'000'000U); }
 
 }  // namespace

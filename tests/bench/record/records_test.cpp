@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 ErrorTable errors() {
   ErrorTable table;
-  table["rmse"] = {0.1, 0.05, 0.2, 0.01, false};
+  table["rmse"] = {0.1, 0.05, 0.2, 0.01, false, 0.03};
   table["bias"] = {-0.25, -0.5, 0.125, std::nullopt, false};
   table["ssim"] = {0.9, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::nullopt, false};
   return table;
@@ -57,6 +57,7 @@ RunRecord run_record() {
   record.warnings = {"a warning"};
   record.exposure = Exposure{0.5F, -2.0F, 4.0F};
   record.errors[Component::indirect][Domain::surface] = errors();
+  record.method_seeds = {7, 8}, record.files = {{"pairs.cbor", "00ff"}};
   record.reference = reference_facts();
   ComponentErrors of_total;
   of_total[Component::total][Domain::image] = errors();
@@ -78,6 +79,21 @@ TEST(RunRecord, IsReadAsItWasWritten) {
   EXPECT_EQ(read.stages[0].report.counters["links"], 17U);
   EXPECT_EQ(read.errors.at(Component::indirect).at(Domain::surface).at("rmse").noise_floor, 0.01);
   EXPECT_FALSE(read.per_bounce[0].model.has_value());
+  EXPECT_EQ(read.method_seeds, (std::vector<std::uint64_t>{7, 8}));
+  EXPECT_EQ(read.files, run_record().files);
+  EXPECT_EQ(read.errors.at(Component::indirect).at(Domain::surface).at("rmse").seed_deviation, 0.03);
+}
+
+TEST(RunRecord, SaysWhatIntervalsCover) {
+  using testing::ElementsAre;
+  RunRecord record = run_record();
+  EXPECT_THAT(covered_by_intervals(record), ElementsAre("reference", "points", "method_seed"));
+  record.method_seeds.clear();
+  EXPECT_THAT(covered_by_intervals(record), ElementsAre("reference", "points"));
+  EXPECT_FALSE(to_json(record).contains("method_seeds")) << "what was not measured is absent";
+  record.noise_of_points = true;
+  EXPECT_THAT(covered_by_intervals(record), ElementsAre("reference", "points", "method_seed"));
+  EXPECT_TRUE(run_record_of(to_json(record)).noise_of_points);
 }
 
 TEST(RunRecord, OfLittleIsReadAsItWasWritten) {

@@ -6,6 +6,7 @@
 
 #include "bench/measure/measuring_fields.h"
 #include "bench/measure/relight_options.h"
+#include "bench/measure/seed_answers.h"
 #include "bench/study/study_file.h"
 
 namespace gibench {
@@ -72,7 +73,8 @@ TEST(StudySchema, AgreesWithTheMeasuringOptions) {
   expect_agreement(properties, measuring_fields());
   expect_no_others(properties, measuring_fields(),
                    {"$schema", "gibench_study", "name", "description", "scenes", "methods", "relights", "reference", "tolerance",
-                    "time_limit_seconds", "memory_limit_mb"});
+                    "method_seeds", "time_limit_seconds", "memory_limit_mb"});
+  EXPECT_EQ(properties["method_seeds"]["maximum"], most_method_seeds);
 }
 
 TEST(StudySchema, AgreesWithTheOptionsOfRelightings) {

@@ -185,6 +185,36 @@ TEST(PathTracer, KnowsVarianceOnlyFromTwoReplicatesOn) {
   EXPECT_FALSE(Tracer(furnace(0.5F), {{"samples", "1"}}).method().capabilities().variance);
 }
 
+/// Errors' intervals take the spread over points for that of the seed as well, which holds for noise that no two points share:
+/// the mean over points then varies over seeds as the points by themselves do, over their number.
+TEST(PathTracer, NoiseIsIndependentBetweenPoints) {
+  constexpr std::size_t seeds = 200, points = 60;
+  for (const char* replicates : {"1", "16"}) {
+    const Tracer tracer(made::box_scene(), {{"samples", "16"}, {"replicates", replicates}});
+    // Sums and sums of squares over seeds: of every point, and of the mean over points.
+    std::vector<double> sums(points + 1), squares(points + 1);
+    for (std::size_t seed = 1; seed <= seeds; ++seed) {
+      const Values values = tracer.irradiance(points, seed);
+      double mean_over_points = 0.0;
+      const auto add = [&](std::size_t place, double value) { sums[place] += value, squares[place] += value * value; };
+      for (std::size_t i = 0; i < points; ++i) {
+        const double value = double{values.direct[i].g} + double{values.indirect[i].g};
+        add(i, value);
+        mean_over_points += value / static_cast<double>(points);
+      }
+      add(points, mean_over_points);
+    }
+    const auto variance = [&](std::size_t place) {
+      const auto count = static_cast<double>(seeds);
+      return (squares[place] - sums[place] * sums[place] / count) / (count - 1.0);
+    };
+    double of_points = 0.0;
+    for (std::size_t i = 0; i < points; ++i) of_points += variance(i) / static_cast<double>(points * points);
+    // A variance from 200 values is known to √(2/199), a tenth.
+    EXPECT_NEAR(variance(points) / of_points, 1.0, 4.0 * std::sqrt(2.0 / static_cast<double>(seeds - 1))) << replicates;
+  }
+}
+
 TEST(PathTracer, NeitherRouletteNorLightSamplesMoveTheMean) {
   const float albedo = 0.9F;
   const double truth = pi_double / (1.0 - static_cast<double>(albedo));

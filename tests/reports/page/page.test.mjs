@@ -168,7 +168,7 @@ test("every plot of error against time shows every method, and has its table", a
       assert.ok(points.some((label) => label.includes(`Method: ${method}`)), `${method} has points`);
     }
   }
-  assert.deepEqual(await page.locator("section.scene figure.table tbody").evaluateAll((bodies) => bodies.map((body) => body.rows.length)), [9, 13]);
+  assert.deepEqual(await page.locator("section.scene figure.table tbody").evaluateAll((bodies) => bodies.map((body) => body.rows.length)), [9, 36, 13]);
   await page.close();
 });
 
@@ -251,6 +251,68 @@ test("a table of many rows opens with its first hundred, and shows the rest when
   await page.close();
 });
 
+test("the buttons below a long table are buttons of the page", async () => {
+  const { page } = await open();
+  const style = await page.evaluate(() => {
+    const parent = document.body.appendChild(document.createElement("div"));
+    gibench.inPieces(parent, 1000, () => document.createElement("p"));
+    const { cursor, borderTopWidth } = getComputedStyle(parent.querySelector(".pieces .more"));
+    return { cursor, borderTopWidth };
+  });
+  assert.deepEqual(style, { cursor: "pointer", borderTopWidth: "1px" });
+  await page.close();
+});
+
+test("every two runs are compared, and the better one is named only where it is known", async () => {
+  const { page, problems } = await open();
+  const pairs = page.locator("section.scene").first().locator("details.pairs");
+  await pairs.locator("summary").click();
+  const rows = await pairs.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  assert.equal(rows.length, 36);
+  for (const [run, , other, difference, better] of rows) {
+    const [low, high] = difference.match(/\[(.*), (.*)\]/).slice(1).map(Number);
+    assert.equal(better, high < 0 ? run : low > 0 ? other : "–", difference);
+  }
+  assert.ok(rows.some((row) => row[4] !== "–"));
+  const standings = await page.locator("section.scene").first().locator("figure.table").first().locator("tbody td").allTextContents();
+  assert.equal(standings.filter((text) => text === "best").length, 1);
+  assert.equal(await page.locator("section.scene").nth(1).locator("details.pairs").count(), 0, "nothing was compared there");
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("a missing file of an error is told, and what was shown stays", async () => {
+  const broken = path.join(folder, "broken");
+  execFileSync("cp", ["-r", report, broken]);
+  for (const name of readdirSync(path.join(broken, "data"))) if (/^error-/.test(name)) rmSync(path.join(broken, "data", name));
+  const page = await browser.newPage(), thrown = [];
+  page.on("pageerror", (error) => thrown.push(error.message));
+  await page.goto(pathToFileURL(path.join(broken, "index.html")).href);
+  const before = await page.locator("#metric").inputValue();
+  await page.locator("#metric").selectOption("rmse");
+  await page.locator("#choice-notice").waitFor({ state: "visible" });
+  assert.match(await page.locator("#choice-notice").textContent(), /^data\/error-\d+\.js is missing/);
+  assert.equal(await page.locator("#metric").inputValue(), before);
+  assert.equal(await page.evaluate(() => document.body.dataset.key), "0");
+  assert.deepEqual(thrown, []);
+  await page.close();
+});
+
+test("the note below the plot of stages counts its rows, with the chosen error or without", async () => {
+  const { page } = await open();
+  const counted = await page.evaluate(() => {
+    const { study, plots, plotting } = gibench;
+    const runs = Array.from({ length: 70 }, (_, i) => ({ ...study.runs[0], label: `run ${i}` })), scene = { ...study.scenes[0], runs: runs.map((_, i) => i) };
+    // No run but the first has an error.
+    const made = { ...study, runs, errors: [{ runs: runs.map((_, i) => (i === 0 ? study.errors[0].runs[0] : null)) }] };
+    const timed = plotting.timedRuns(made, scene, "surface");
+    return { note: plotting.rowsNote(timed), rows: plotting.stagesPlot(made, plots, scene, "surface", 600).datasets.totals.length };
+  });
+  assert.equal(counted.note, " The first 60 of 70 rows; the table has all.");
+  assert.equal(counted.rows, 60);
+  await page.close();
+});
+
 test("relighting tells after how many frames preparing has paid, in words, a plot and a table", async () => {
   const { page, problems } = await open({ hash: "#relighting" });
   const section = page.locator("#relighting");
@@ -299,7 +361,7 @@ test("without the plot libraries the tables remain, and nothing is asked for in 
   page.on("console", (message) => problems.push(message.text()));
   page.on("requestfailed", (request) => problems.push(request.url()));
   await page.goto(pathToFileURL(path.join(out, "report", "index.html")).href);
-  assert.equal(await page.locator("section.scene").first().locator("figure.table tbody tr").count(), 9);
+  assert.equal(await page.locator("section.scene").first().locator("figure.table").first().locator("tbody tr").count(), 9);
   assert.deepEqual(problems, []);
   await page.close();
 });

@@ -177,6 +177,50 @@ TEST(Ranking, TheGeometricMeanHasItsIntervalAndItsMarks) {
   EXPECT_EQ(to_markdown(table).find("ci95"), std::string::npos);
 }
 
+/// All that is known of `run` is that its error is at most `bound`.
+StudyRun not_resolved(StudyRun run, double bound) {
+  run.errors[key] = {.value = 0.5 * bound, .low = 0.0, .high = bound, .noise_floor = 1e-4, .resolved = false};
+  return run;
+}
+
+TEST(Ranking, AnErrorThatIsNotResolvedRanksByItsBound) {
+  const Study study =
+      study_of({"a"}, {run_of("a", "m", "small", 1.0, 0.02), not_resolved(run_of("a", "m", "wide", 1.0, 0.0), 0.3),
+                       not_resolved(run_of("a", "m", "narrow", 1.0, 0.0), 0.01), run_of("a", "m", "large", 1.0, 0.4),
+                       not_resolved(run_of("a", "m", "as wide", 1.0, 0.0), 0.3)});
+  const auto rows = rank(study, key);
+  const auto rank_of = [&](const char* label) { return row_of(rows, label).scenes[0].error_rank; };
+  EXPECT_EQ(rank_of("narrow"), 1);
+  EXPECT_EQ(rank_of("small"), 2);
+  EXPECT_EQ(rank_of("wide"), 3);
+  EXPECT_EQ(rank_of("as wide"), 3);
+  EXPECT_EQ(rank_of("large"), 5);
+  EXPECT_EQ(rows.front().label, "narrow");
+}
+
+TEST(Ranking, TheFrontIsOfBoundsWhereErrorsAreNotResolved) {
+  const Study study =
+      study_of({"a"}, {not_resolved(run_of("a", "m", "fast and unknown", 1.0, 0.0), 0.5), run_of("a", "m", "slower", 2.0, 0.1),
+                       run_of("a", "m", "slower and worse", 2.0, 0.2), not_resolved(run_of("a", "m", "slow", 3.0, 0.0), 0.2),
+                       not_resolved(run_of("a", "m", "slowest", 4.0, 0.0), 0.05), run_of("a", "m", "too late", 5.0, 0.06)});
+  const auto rows = rank(study, key);
+  for (const char* label : {"fast and unknown", "slower", "slowest"}) EXPECT_EQ(row_of(rows, label).on_front, 1) << label;
+  for (const char* label : {"slower and worse", "slow", "too late"}) EXPECT_EQ(row_of(rows, label).on_front, 0) << label;
+}
+
+/// Of a metric whose larger values are the better ones, the far end is the low one.
+TEST(Ranking, BoundsOfMetricsThatAreLargerWhereBetter) {
+  const ErrorKey psnr{Domain::image, Component::total, "psnr"};
+  Study study = study_of({"a"}, {run_of("a", "m", "known", 1.0, 0.0), run_of("a", "m", "unknown", 1.0, 0.0)});
+  for (StudyRun& run : study.runs) run.seconds[Stage::shade_image] = 1.0;
+  study.runs[0].errors[psnr] = {.value = 30.0, .low = 29.0, .high = 31.0, .noise_floor = {}};
+  study.runs[1].errors[psnr] = {.value = 35.0, .low = 20.0, .high = 60.0, .noise_floor = {}, .resolved = false};
+  const auto rows = rank(study, psnr);
+  EXPECT_EQ(row_of(rows, "known").scenes[0].error_rank, 1);
+  EXPECT_EQ(row_of(rows, "unknown").scenes[0].error_rank, 2);
+  EXPECT_EQ(row_of(rows, "unknown").on_front, 0);
+}
+
 TEST(Ranking, MoreAnsweredScenesComeFirstAndFailuresAreCounted) {
   StudyRun refused = run_of("b", "m", "m", 0.0, 0.0);
   refused.status = RunStatus::refused;

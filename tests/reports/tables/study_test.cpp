@@ -10,6 +10,7 @@
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
 #include "tests/reports/fixture/study_fixture.h"
+#include "tests/support/scratch_folder.h"
 
 namespace gibench::report {
 namespace {
@@ -22,12 +23,9 @@ using testing::Not;
 class StudyFixture : public testing::Test {
  protected:
   StudyFixture() { gibench::test::write_study_fixture(folder_); }
-  ~StudyFixture() override { fs::remove_all(folder_); }
 
-  fs::path folder_ = [] {
-    std::string name = (fs::temp_directory_path() / "gibench-study-XXXXXX").string();
-    return fs::path(mkdtemp(name.data()));
-  }();
+  gibench::test::ScratchFolder scratch_;
+  const fs::path& folder_ = scratch_.path();
 };
 
 const StudyRun& run_named(const Study& study, const std::string& id) {
@@ -62,10 +60,14 @@ TEST_F(StudyFixture, CollectsWhatTheRecordsSay) {
   EXPECT_THAT(run.effects->missing, ElementsAre(Effect::glossy_final_bounce));
 }
 
-const std::string& text_in(const Table& table, std::size_t row, const std::string& column) {
+const Cell& cell_in(const Table& table, std::size_t row, const std::string& column) {
   for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (table.columns[c].name == column) return table.rows.at(row).at(c).text;
+    if (table.columns[c].name == column) return table.rows.at(row).at(c);
   throw std::runtime_error("no column " + column);
+}
+
+const std::string& text_in(const Table& table, std::size_t row, const std::string& column) {
+  return cell_in(table, row, column).text;
 }
 
 TEST_F(StudyFixture, ErrorsAreSplitInTwoParts) {
@@ -165,11 +167,13 @@ TEST_F(StudyFixture, SceneTableShowsADashForWhatWasNotMeasured) {
   ASSERT_EQ(table.rows.size(), 9U);
   EXPECT_EQ(table.rows[0][0].text, "pathtracer 16 spp");
   EXPECT_EQ(table.rows[0][3].text, "40.0 % [38.0, 42.4]");
-  EXPECT_EQ(table.rows[0][7].text, "–");  // the path tracer prepares nothing
-  EXPECT_EQ(table.rows[0][7].raw, "");
-  EXPECT_THAT(table.rows[4][5].text, HasSubstr("40.0× ["));
+  EXPECT_EQ(text_in(table, 0, "prepare_seconds"), "–") << "the path tracer prepares nothing";
+  EXPECT_EQ(cell_in(table, 0, "prepare_seconds").raw, "");
+  EXPECT_THAT(text_in(table, 4, "speed_up"), HasSubstr("40.0× ["));
   EXPECT_EQ(table.rows[8][3].text, "≤ 0.212 %");
-  EXPECT_THAT(table.rows[8][5].text, HasSubstr("≥ "));
+  EXPECT_THAT(text_in(table, 8, "speed_up"), HasSubstr("≥ "));
+  EXPECT_EQ(text_in(table, 8, "beside_best"), "best");
+  EXPECT_THAT(text_in(table, 0, "beside_best"), HasSubstr("worse by 39.8 % ["));
 }
 
 TEST_F(StudyFixture, TablesOfTheWholeStudy) {

@@ -10,6 +10,7 @@
 #include "bench/measure/cancellation.h"
 #include "common/core/error.h"
 #include "tests/reports/fixture/study_fixture.h"
+#include "tests/support/scratch_folder.h"
 
 namespace gibench {
 namespace {
@@ -20,16 +21,11 @@ using testing::HasSubstr;
 class ReportVerb : public testing::Test {
  protected:
   ReportVerb() { test::write_study_fixture(folder_ / "study"); }
-  ~ReportVerb() override {
-    fs::remove_all(folder_);
-    setenv("PATH", path_.c_str(), 1);
-  }
+  ~ReportVerb() override { setenv("PATH", path_.c_str(), 1); }
 
   std::string path_ = std::getenv("PATH");
-  fs::path folder_ = [] {
-    std::string name = (fs::temp_directory_path() / "gibench-report-XXXXXX").string();
-    return fs::path(mkdtemp(name.data()));
-  }();
+  test::ScratchFolder scratch_;
+  const fs::path& folder_ = scratch_.path();
 };
 
 std::string text_of(const fs::path& file) {
