@@ -7,12 +7,13 @@
 #include <optional>
 
 #include "common/reference/reference.h"
+#include "common/reference/replica_file.h"
 #include "common/scene/scene.h"
 
 namespace gibench {
 
 /// References in folders, one each, named by their key: meta.json, which a reader understands (scene, question,
-/// samples, seconds, relative standard errors), and the replicates as little-endian floats with a checksum.
+/// samples, seconds, relative standard errors), and the replicates as files with a checksum.
 class ReferenceStore {
  public:
   explicit ReferenceStore(std::filesystem::path folder);
@@ -21,7 +22,7 @@ class ReferenceStore {
   std::optional<Reference> find(const Scene& scene, const ReferenceQuestion& question) const;
   /// Writes or replaces the reference of this question, whole: a reader, or the next run after a kill, finds the old
   /// one or the new one. Throws as a write does if the store cannot be written.
-  void save(const Scene& scene, const Reference& reference) const;
+  void save(const Scene& scene, const Reference& reference, ReplicaFormat format = ReplicaFormat::exact) const;
   std::filesystem::path folder_of(const Scene& scene, const ReferenceQuestion& question) const;
 
  private:
