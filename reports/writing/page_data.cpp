@@ -7,6 +7,7 @@
 #include <set>
 
 #include "reports/collect/facts.h"
+#include "reports/tables/at_a_glance.h"
 #include "reports/tables/format.h"
 #include "reports/tables/method_style.h"
 #include "reports/tables/study_tables.h"
@@ -176,6 +177,11 @@ Json ranking_json(const Study& study, const ErrorKey& key) {
   return {{"table", table_json(ranking_table(study, key, rows))}, {"points", points}};
 }
 
+Json glance_json(const Study& study, const ErrorKey& key) {
+  const std::vector<GlanceRow> rows = glance_rows(study, key);
+  return {{"sentence", glance_sentence(study, key, rows)}, {"table", table_json(glance_table(study, key, rows))}};
+}
+
 /// The points of the plot of both parts: one of each part that a run measured.
 Json split_json(const Study& study, const ErrorKey& key) {
   const Metric metric = metric_info(key.metric);
@@ -258,9 +264,11 @@ std::string error_data(const Study& study, const ErrorKey& key, std::size_t posi
   Json runs = Json::array(), tables = Json::array();
   for (const StudyRun& run : study.runs) runs.push_back(error_json(run, key));
   for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) tables.push_back(table_json(scene_table(study, scene, key)));
-  return assignment(
-      fmt::format("study.errors[{}]", position),
-      {{"runs", runs}, {"ranking", ranking_json(study, key)}, {"split", split_json(study, key)}, {"tables", tables}});
+  return assignment(fmt::format("study.errors[{}]", position), {{"runs", runs},
+                                                                {"glance", glance_json(study, key)},
+                                                                {"ranking", ranking_json(study, key)},
+                                                                {"split", split_json(study, key)},
+                                                                {"tables", tables}});
 }
 
 std::string plot_templates(const std::filesystem::path& folder) {

@@ -7,6 +7,7 @@
 #include "common/core/error.h"
 #include "common/core/write_failure.h"
 #include "reports/collect/facts.h"
+#include "reports/tables/at_a_glance.h"
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
 #include "reports/writing/render_plots.h"
@@ -34,6 +35,7 @@ void write_tables(const Study& study, const fs::path& folder) {
   const std::vector<ErrorKey> keys = measured_keys(study);
   const ErrorKey key = keys.empty() ? usual_key() : keys.front();
   for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) write_table(folder, scene_table(study, scene, key));
+  write_table(folder, glance_table(study, key, glance_rows(study, key)));
   write_table(folder, ranking_table(study, key, rank(study, key)));
   for (const Table& table :
        {run_table(study), error_table(study), effect_matrix(study), effect_table(study), failure_table(study), call_table(study),
