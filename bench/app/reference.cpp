@@ -202,7 +202,7 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
     stop_if_cancelled();
     folder->commit();
   }
-  if (!options.packed.empty()) ReferenceStore(options.packed).save(scene.scene(), *made, ReplicaFormat::packed);
+  if (!options.packed.empty()) ReferenceStore(options.packed).save(scene.scene(), *made, ReferenceStore::Keep::packed);
   tell(options, scene, *made, damage, common);
   return ExitStatus::done;
 }

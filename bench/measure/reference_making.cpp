@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "bench/measure/cancellation.h"
 #include "bench/measure/reference_search.h"
@@ -87,15 +88,29 @@ std::uint64_t image_samples(const ReferenceGoal& goal, const ReferenceQuestion& 
   return question.camera ? whole_samples(std::min(samples, goal.image_samples_per_replica.value_or(samples)), question) : 0;
 }
 
+/// Of which error a target is: pixels with a number of paths of their own are not its matter.
+double error_of(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
+  const ReferenceFacts facts = facts_of(scene, reference);
+  return goal.image_samples_per_replica ? facts.surface_error.value_or(0.0) : facts.relative_standard_error();
+}
+
 bool reached(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
   if (reference.samples_per_replica >= goal.samples_per_replica &&
       reference.image_samples_per_replica >= image_samples(goal, reference.question, goal.samples_per_replica))
     return true;
   if (!goal.target_error || reference.samples_per_replica == 0) return false;
-  const ReferenceFacts facts = facts_of(scene, reference);
-  // Pixels with a number of paths of their own are not the target's matter.
-  const double error = goal.image_samples_per_replica ? facts.surface_error.value_or(0.0) : facts.relative_standard_error();
-  return error <= *goal.target_error;
+  return error_of(goal, scene, reference) <= *goal.target_error;
+}
+
+/// After the next round: twice as many, or fewer where a target asks for fewer, as errors go with the root of the number.
+std::uint64_t next_samples(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
+  const std::uint64_t before = reference.samples_per_replica;
+  const std::uint64_t most = std::min(std::max(before, goal.samples_per_replica), std::max(first_round, 2 * before));
+  if (!goal.target_error || before == 0) return most;
+  constexpr double reserve = 1.02;  // the error is itself an estimate
+  const double needed =
+      static_cast<double>(before) * std::pow(error_of(goal, scene, reference) / *goal.target_error, 2.0) * reserve;
+  return needed < static_cast<double>(most) ? std::max(before + 1, static_cast<std::uint64_t>(needed)) : most;
 }
 
 std::vector<std::vector<Rgb>> every(const std::vector<std::vector<Rgb>>& replicas, std::size_t first, std::size_t step) {
@@ -148,8 +163,7 @@ void extend_reference(const LoadedScene& scene, const MeasuringOptions& measurin
   while (!reached(whole_goal, scene.scene(), reference)) {
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t before = reference.samples_per_replica;
-    const std::uint64_t after =
-        std::min(std::max(before, whole_goal.samples_per_replica), whole_samples(std::max(first_round, 2 * before), question));
+    const std::uint64_t after = whole_samples(next_samples(whole_goal, scene.scene(), reference), question);
     const ReplicaMaker::Span surface{before, after},
         image{reference.image_samples_per_replica,
               std::max(reference.image_samples_per_replica, image_samples(whole_goal, question, after))};

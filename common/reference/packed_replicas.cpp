@@ -30,14 +30,18 @@ float& channel_of(Replicas& replicas, std::size_t replica, std::size_t index) {
   return index % 3 == 0 ? value.r : index % 3 == 1 ? value.g : value.b;
 }
 
+double size_of(Grain grain) { return 0.5 * static_cast<char>(grain); }
+
 double dither(std::size_t replica, std::size_t index) { return RandomStream(replica, dither_stage, index).next_double() - 0.5; }
 
-/// The sections of the bytes, one after the other, before they are deflated: an exponent of each number's step, the four bytes of
-/// its base (the lowest of all first, then the next: equal bytes stand together), then its deviations, two to a byte.
+/// The sections of the bytes, one after the other, before they are deflated: the grain, an exponent of each number's step, the
+/// four bytes of its base (the lowest of all first, then the next: equal bytes stand together), then its deviations, two to a
+/// byte.
 struct Layout {
   std::size_t count, numbers;  // replicates, channels of values
 
-  std::size_t bases() const { return numbers; }
+  static std::size_t exponents() { return 1; }
+  std::size_t bases() const { return exponents() + numbers; }
   std::size_t deviations() const { return bases() + base_bytes * numbers; }
   std::size_t bytes() const { return deviations() + (count * numbers + 1) / 2; }
 };
@@ -59,8 +63,8 @@ Moments moments_of(const Replicas& replicas, std::size_t index) {
   return m;
 }
 
-/// With Δ > σ no replicate is further than (R − 1)/√R steps from the mean: 3.75 of 16, and with the roundings of base and
-/// replicate five in all, so that every deviation fits into four bits.
+/// The step is g 2^exponent. With Δ > σ no replicate is further than (R − 1)/√R steps from the mean: 3.75 of 16, and with the
+/// roundings of base and replicate five in all, so that every deviation fits into four bits.
 int exponent_of(const Moments& m) {
   const double least = std::max({m.deviation, std::abs(m.mean) * std::ldexp(1.0, -half_bits), 1e-37});
   return static_cast<int>(std::floor(std::log2(least))) + 1;
@@ -89,19 +93,21 @@ std::string inflated(std::string_view bytes, std::size_t size) {
   return status == Z_OK && length == size ? plain : std::string();
 }
 
-void pack_number(const Replicas& replicas, std::size_t index, const Layout& layout, std::string& plain) {
+void pack_number(const Replicas& replicas, std::size_t index, const Layout& layout, Grain grain, std::string& plain) {
   const Moments m = moments_of(replicas, index);
+  char& kept_exponent = plain[Layout::exponents() + index];
   if (m.largest == 0.0) {
-    plain[index] = static_cast<char>(all_zero);
+    kept_exponent = static_cast<char>(all_zero);
     return;
   }
   const int exponent = exponent_of(m);
-  const auto base = static_cast<std::int32_t>(std::lround(std::ldexp(m.mean, -exponent)));
-  plain[index] = static_cast<char>(exponent);
+  const double step = std::ldexp(size_of(grain), exponent);
+  const auto base = static_cast<std::int32_t>(std::lround(m.mean / step));
+  kept_exponent = static_cast<char>(exponent);
   for (std::size_t byte = 0; byte < base_bytes; ++byte)
     plain[layout.bases() + byte * layout.numbers + index] = static_cast<char>(static_cast<std::uint32_t>(base) >> (8 * byte));
   for (std::size_t r = 0; r < layout.count; ++r) {
-    const double steps = std::floor(std::ldexp(channel_of(replicas, r, index), -exponent) + dither(r, index) + 0.5);
+    const double steps = std::floor(channel_of(replicas, r, index) / step + dither(r, index) + 0.5);
     const int deviation = static_cast<int>(steps) - base;
     GIBENCH_CHECK(std::abs(deviation) <= reach, "a replicate lies within (R - 1)/sqrt(R) standard deviations");
     const std::size_t place = r * layout.numbers + index;
@@ -111,8 +117,9 @@ void pack_number(const Replicas& replicas, std::size_t index, const Layout& layo
 }
 
 void unpack_number(const std::string& plain, std::size_t index, const Layout& layout, Replicas& replicas) {
-  const auto exponent = static_cast<std::int8_t>(plain[index]);
+  const auto exponent = static_cast<std::int8_t>(plain[Layout::exponents() + index]);
   if (exponent == all_zero) return;
+  const double step = std::ldexp(size_of(Grain{plain[0]}), exponent);
   std::uint32_t bits = 0;
   for (std::size_t byte = 0; byte < base_bytes; ++byte)
     bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(plain[layout.bases() + byte * layout.numbers + index]))
@@ -122,17 +129,18 @@ void unpack_number(const std::string& plain, std::size_t index, const Layout& la
     const std::size_t place = r * layout.numbers + index;
     const auto pair = static_cast<unsigned char>(plain[layout.deviations() + place / 2]);
     const int deviation = static_cast<int>((place % 2 == 0 ? pair : pair >> 4U) & 15U) - middle;
-    channel_of(replicas, r, index) = static_cast<float>(std::ldexp(base + deviation - dither(r, index), exponent));
+    channel_of(replicas, r, index) = static_cast<float>((base + deviation - dither(r, index)) * step);
   }
 }
 
 }  // namespace
 
-std::string pack_replicas(const Replicas& replicas) {
+std::string pack_replicas(const Replicas& replicas, Grain grain) {
   GIBENCH_CHECK(replicas.count() <= most_packed_replicas, "deviations fit into four bits");
   const Layout layout{replicas.count(), 3 * replicas.size()};
   std::string plain(layout.bytes(), '\0');
-  for (std::size_t index = 0; index < layout.numbers; ++index) pack_number(replicas, index, layout, plain);
+  plain[0] = static_cast<char>(grain);
+  for (std::size_t index = 0; index < layout.numbers; ++index) pack_number(replicas, index, layout, grain, plain);
   return deflated(plain);
 }
 

@@ -31,6 +31,10 @@ struct Part {
     return reference.*values.*component;
   }
   std::string file() const { return std::string(name) + ".replicas"; }
+  ReplicaFormat format(ReferenceStore::Keep keep) const {
+    if (keep == ReferenceStore::Keep::all) return ReplicaFormat::exact;
+    return values == &Reference::surface ? ReplicaFormat::packed : ReplicaFormat::packed_coarsely;
+  }
 };
 constexpr std::array<Part, 4> parts{{{"surface_direct", &Reference::surface, &ReferenceValues::direct},
                                      {"surface_indirect", &Reference::surface, &ReferenceValues::indirect},
@@ -125,7 +129,7 @@ std::optional<Reference> ReferenceStore::find(const Scene& scene, const Referenc
   return reference;
 }
 
-void ReferenceStore::save(const Scene& scene, const Reference& reference, ReplicaFormat format) const {
+void ReferenceStore::save(const Scene& scene, const Reference& reference, Keep keep) const {
   const std::filesystem::path target = folder_of(scene, reference.question), made = temporary_beside(target);
   std::error_code failure;
   std::filesystem::create_directories(made, failure);
@@ -135,7 +139,7 @@ void ReferenceStore::save(const Scene& scene, const Reference& reference, Replic
   try {
     ordered_json meta = describe(scene, reference, target.filename().string());
     for (const Part& part : parts)
-      meta["parts"][part.name]["checksum"] = hex_of(write_replicas(made / part.file(), part.of(reference), format));
+      meta["parts"][part.name]["checksum"] = hex_of(write_replicas(made / part.file(), part.of(reference), part.format(keep)));
     meta["checksum"] = guard_of(meta);
     write_file_atomically(made / "meta.json", text_of(meta, 2) + "\n");
     replace_folder(made, target);

@@ -43,6 +43,15 @@ std::string exact_bytes(const Replicas& replicas) {
   return bytes;
 }
 
+std::string bytes_of(const Replicas& replicas, ReplicaFormat format) {
+  switch (format) {
+    case ReplicaFormat::exact: return exact_bytes(replicas);
+    case ReplicaFormat::packed: return pack_replicas(replicas, Grain::fine);
+    case ReplicaFormat::packed_coarsely: break;
+  }
+  return pack_replicas(replicas, Grain::coarse);
+}
+
 /// Of a header whose counts were not checked yet: a damaged one may be anything, so that they are compared by division.
 bool counts_fit(const Header& header, std::size_t size) {
   if (header.replicas == 0 || header.values == 0) return size == 0;
@@ -69,7 +78,7 @@ std::uint64_t write_replicas(const std::filesystem::path& file, const Replicas& 
   header.values = replicas.size();
   for (const std::vector<Rgb>& replica : replicas.replicas)
     GIBENCH_CHECK(replica.size() == replicas.size(), "all replicates estimate the same values");
-  const std::string data = format == ReplicaFormat::exact ? exact_bytes(replicas) : pack_replicas(replicas);
+  const std::string data = bytes_of(replicas, format);
   header.checksum = checksum_of(header, data.data(), data.size());
   std::string bytes(sizeof header, '\0');
   std::memcpy(bytes.data(), &header, sizeof header);

@@ -10,8 +10,8 @@
 
 namespace gibench {
 
-/// Whether all bits are kept or those that mean something.
-enum class ReplicaFormat { exact, packed };
+/// Whether all bits are kept or those that mean something, in fine or coarse grain (packed_replicas.h).
+enum class ReplicaFormat { exact, packed, packed_coarsely };
 
 /// Writes the file whole or not at all; returns its checksum.
 std::uint64_t write_replicas(const std::filesystem::path& file, const Replicas& replicas,

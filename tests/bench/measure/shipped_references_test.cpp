@@ -163,11 +163,11 @@ TEST(ReferenceSearch, LeavesOutWhatWasTakenAtOtherSurfaceSamples) {
   const ReferenceSearch search(folder / "own", ReferenceSearch::Stores::own_then_shipped, scene, 1,
                                [&](const std::string& line) { warnings.push_back(line); });
   reference.points = fingerprint_of(measuring_points(*scene.world, reference.question, 1).surface);
-  ReferenceStore(folder / "shipped").save(scene.scene(), reference, ReplicaFormat::packed);
+  ReferenceStore(folder / "shipped").save(scene.scene(), reference, ReferenceStore::Keep::packed);
   EXPECT_TRUE(search.find(reference.question));
   EXPECT_TRUE(warnings.empty());
   reference.points += 2;
-  ReferenceStore(folder / "shipped").save(scene.scene(), reference, ReplicaFormat::packed);
+  ReferenceStore(folder / "shipped").save(scene.scene(), reference, ReferenceStore::Keep::packed);
   EXPECT_FALSE(search.find(reference.question));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings[0], testing::HasSubstr("fall on other faces"));

@@ -26,20 +26,23 @@ Replicas noisy(std::size_t count, std::size_t size, double share) {
   return replicas;
 }
 
-Replicas unpacked(const Replicas& replicas) {
-  return unpack_replicas(pack_replicas(replicas), replicas.count(), replicas.size());
+Replicas unpacked(const Replicas& replicas, Grain grain = Grain::fine) {
+  return unpack_replicas(pack_replicas(replicas, grain), replicas.count(), replicas.size());
 }
 
 TEST(PackedReplicas, DifferByHalfAStepAtMost) {
-  const Replicas replicas = noisy(8, 500, 0.3), read = unpacked(replicas);
+  const Replicas replicas = noisy(8, 500, 0.3);
   const std::vector<Rgb> variance = replicas.variance_of_mean(), mean = replicas.mean();
-  for (std::size_t r = 0; r < replicas.count(); ++r)
-    for (std::size_t i = 0; i < replicas.size(); ++i)
-      for (int c = 0; c < 3; ++c) {
-        // A step is 2 σ at most, and a float's rounding comes on top.
-        const double most = std::sqrt(8.0 * variance[i][c]) + 1e-6 * mean[i][c];
-        ASSERT_LE(std::abs(read.replicas[r][i][c] - replicas.replicas[r][i][c]), most);
-      }
+  for (const auto& [grain, size] : {std::pair{Grain::fine, 1.0}, {Grain::coarse, 1.5}}) {
+    const Replicas read = unpacked(replicas, grain);
+    for (std::size_t r = 0; r < replicas.count(); ++r)
+      for (std::size_t i = 0; i < replicas.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+          // A step is 2 g σ at most, and a float's rounding comes on top.
+          const double most = size * std::sqrt(8.0 * variance[i][c]) + 1e-6 * mean[i][c];
+          ASSERT_LE(std::abs(read.replicas[r][i][c] - replicas.replicas[r][i][c]), most);
+        }
+  }
 }
 
 /// The sum over values of (packed − exact)/step, uniform in [−1/2, 1/2) and independent: its standard deviation is √(n/12).
@@ -92,7 +95,7 @@ TEST(PackedReplicas, HoldASingleSpikeOfTheMostReplicates) {
 }
 
 TEST(PackedReplicas, OfOtherCountsAreNone) {
-  const std::string bytes = pack_replicas(noisy(8, 10, 0.1));
+  const std::string bytes = pack_replicas(noisy(8, 10, 0.1), Grain::fine);
   EXPECT_EQ(unpack_replicas(bytes, 8, 11).count(), 0U);
   EXPECT_EQ(unpack_replicas(bytes.substr(0, bytes.size() / 2), 8, 10).count(), 0U);
   EXPECT_EQ(unpack_replicas("no deflated bytes", 8, 10).count(), 0U);
@@ -100,7 +103,9 @@ TEST(PackedReplicas, OfOtherCountsAreNone) {
 
 TEST(PackedReplicas, TakeAFractionOfTheRoom) {
   const std::size_t count = 8, size = 5000;
-  EXPECT_LT(pack_replicas(noisy(count, size, 0.1)).size(), count * size * sizeof(Rgb) / 5);
+  const std::size_t fine = pack_replicas(noisy(count, size, 0.1), Grain::fine).size();
+  EXPECT_LT(fine, count * size * sizeof(Rgb) / 5);
+  EXPECT_LT(pack_replicas(noisy(count, size, 0.1), Grain::coarse).size(), fine);
   EXPECT_EQ(unpacked(Replicas{}).count(), 0U);
 }
 
