@@ -83,8 +83,11 @@ std::string best_text(const Study& study, const GlanceRow& row) {
                      speed.at_least ? "at least " : "", factor(speed.factor));
 }
 
-std::string scenes_text(std::size_t count, std::size_t of) {
-  return fmt::format("On {} of {} {}", count == 0 ? "none" : std::to_string(count), of, of == 1 ? "scene" : "scenes");
+/// "On 4 of 5 scenes a method reaches", "On none of 5 scenes does a method reach".
+std::string opening(std::size_t count, std::size_t of) {
+  const char* scenes = of == 1 ? "scene" : "scenes";
+  return count == 0 ? fmt::format("On none of {} {} does a method reach", of, scenes)
+                    : fmt::format("On {} of {} {} a method reaches", count, of, scenes);
 }
 
 }  // namespace
@@ -163,8 +166,8 @@ std::string glance_sentence(const Study& study, const ErrorKey& key, const std::
     if (standings.best != nullptr) ahead.push_back(best_text(study, *standings.best));
     else (standings.undecided > 0 ? undecided : behind).push_back(study.scenes[scene].name);
   }
-  std::string text = fmt::format("{} a method reaches its error in the {} sooner than path tracing would",
-                                 scenes_text(ahead.size(), scenes.size()), describe(key));
+  std::string text =
+      fmt::format("{} its error in the {} sooner than path tracing would", opening(ahead.size(), scenes.size()), describe(key));
   if (!ahead.empty()) text += ": " + listed(ahead);
   text += ".";
   if (!behind.empty()) text += fmt::format(" Path tracing is ahead of all of them on {}.", listed(behind));

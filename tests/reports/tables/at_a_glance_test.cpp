@@ -98,6 +98,11 @@ TEST(GlanceSentence, CountsScenesAndNamesTheBest) {
   EXPECT_THAT(sentence, HasSubstr("The intervals leave it open on c."));
 }
 
+TEST(GlanceSentence, SaysThatNoneIsAhead) {
+  const Study study = study_of({run_of("a", "slow", 80.0, 1.0, 0.1)});
+  EXPECT_THAT(glance_sentence(study, key, glance_rows(study, key)), HasSubstr("On none of 1 scene does a method reach its error"));
+}
+
 TEST(GlanceSentence, SaysWhereNothingCanBeCompared) {
   EXPECT_EQ(glance_sentence(Study{}, key, {}), "No run can be compared with path tracing.");
 }
