@@ -43,12 +43,12 @@ std::string missing_text(const StudyRun& run) {
   return text.empty() ? "" : "lacks " + text;
 }
 
-std::string standing_text(const GlanceRow& row) {
+std::string verdict_text(const GlanceRow& row) {
   if (!row.speed_up) return "";
-  switch (standing_of(*row.speed_up)) {
-    case Standing::ahead: return "ahead";
-    case Standing::behind: return "behind";
-    case Standing::undecided: break;
+  switch (verdict_of(*row.speed_up)) {
+    case Verdict::ahead: return "ahead";
+    case Verdict::behind: return "behind";
+    case Verdict::undecided: break;
   }
   return "undecided";
 }
@@ -60,18 +60,18 @@ std::string listed(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// The standings of one scene's configurations.
-struct SceneStandings {
+/// The verdicts of one scene's configurations.
+struct SceneVerdicts {
   const GlanceRow* best = nullptr;  ///< the surest among those ahead
   int ahead = 0, behind = 0, undecided = 0;
 
   void add(const GlanceRow& row) {
-    const Standing standing = standing_of(*row.speed_up);
-    if (standing == Standing::ahead) {
+    const Verdict verdict = verdict_of(*row.speed_up);
+    if (verdict == Verdict::ahead) {
       ++ahead;
       if (best == nullptr || sure_factor(row) > sure_factor(*best)) best = &row;
     } else {
-      ++(standing == Standing::behind ? behind : undecided);
+      ++(verdict == Verdict::behind ? behind : undecided);
     }
   }
   static double sure_factor(const GlanceRow& row) { return row.speed_up->low.value_or(row.speed_up->factor); }
@@ -92,10 +92,10 @@ std::string opening(std::size_t count, std::size_t of) {
 
 }  // namespace
 
-Standing standing_of(const SpeedUp& speed) {
-  if (speed.at_least) return speed.factor > 1.0 ? Standing::ahead : Standing::undecided;
-  if (speed.low.value_or(speed.factor) > 1.0) return Standing::ahead;
-  return speed.high.value_or(speed.factor) < 1.0 ? Standing::behind : Standing::undecided;
+Verdict verdict_of(const SpeedUp& speed) {
+  if (speed.at_least) return speed.factor > 1.0 ? Verdict::ahead : Verdict::undecided;
+  if (speed.low.value_or(speed.factor) > 1.0) return Verdict::ahead;
+  return speed.high.value_or(speed.factor) < 1.0 ? Verdict::behind : Verdict::undecided;
 }
 
 std::optional<BreakEven> break_even(const StudyRun& run, const std::optional<SpeedUp>& speed, Domain domain, double asked) {
@@ -143,7 +143,7 @@ Table glance_table(const Study& study, const ErrorKey& key, const std::vector<Gl
       .seconds("time", "seconds", [run_of, key](const GlanceRow& row) { return run_of(row).transport_seconds(key.domain); })
       .bytes("memory", "method_bytes", [run_of](const GlanceRow& row) { return run_of(row).method_bytes; })
       .cells({"over path tracing", "speed_up"}, speed_cell)
-      .text("", "standing", standing_text)
+      .text("", "verdict", verdict_text)
       .cells({"pays from points", "pays_from_points"}, [](const GlanceRow& row) { return even_cell(row.points); })
       .cells({"pays from pictures", "pays_from_pictures"}, [](const GlanceRow& row) { return even_cell(row.pictures); })
       .text("light paths", "lacks", [run_of](const GlanceRow& row) { return missing_text(run_of(row)); });
@@ -157,14 +157,14 @@ Table glance_table(const Study& study, const ErrorKey& key, const std::vector<Gl
 }
 
 std::string glance_sentence(const Study& study, const ErrorKey& key, const std::vector<GlanceRow>& rows) {
-  std::map<std::size_t, SceneStandings> scenes;
+  std::map<std::size_t, SceneVerdicts> scenes;
   for (const GlanceRow& row : rows)
     if (row.speed_up) scenes[row.scene].add(row);
   if (scenes.empty()) return "No run can be compared with path tracing.";
   std::vector<std::string> ahead, behind, undecided;
-  for (const auto& [scene, standings] : scenes) {
-    if (standings.best != nullptr) ahead.push_back(best_text(study, *standings.best));
-    else (standings.undecided > 0 ? undecided : behind).push_back(study.scenes[scene].name);
+  for (const auto& [scene, verdicts] : scenes) {
+    if (verdicts.best != nullptr) ahead.push_back(best_text(study, *verdicts.best));
+    else (verdicts.undecided > 0 ? undecided : behind).push_back(study.scenes[scene].name);
   }
   std::string text =
       fmt::format("{} its error in the {} sooner than path tracing would", opening(ahead.size(), scenes.size()), describe(key));

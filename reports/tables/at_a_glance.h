@@ -11,8 +11,8 @@
 namespace gibench::report {
 
 /// A run beside path tracing to the same error, as far as the intervals decide.
-enum class Standing { ahead, behind, undecided };
-Standing standing_of(const SpeedUp& speed);
+enum class Verdict { ahead, behind, undecided };
+Verdict verdict_of(const SpeedUp& speed);
 
 /// From how many on, of points or of pictures, a run is cheaper than path tracing to the same error: preparing and lighting are
 /// paid once, shading each time.

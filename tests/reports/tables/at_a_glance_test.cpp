@@ -49,14 +49,14 @@ std::string text_of(const Table& table, const std::string& column) {
   return "no column " + column;
 }
 
-TEST(Standing, IsDecidedByTheWholeInterval) {
-  EXPECT_EQ(standing_of({.factor = 2.0, .low = 1.5, .high = 3.0}), Standing::ahead);
-  EXPECT_EQ(standing_of({.factor = 2.0, .low = 0.9, .high = 3.0}), Standing::undecided);
-  EXPECT_EQ(standing_of({.factor = 0.5, .low = 0.4, .high = 1.1}), Standing::undecided);
-  EXPECT_EQ(standing_of({.factor = 0.5, .low = 0.4, .high = 0.9}), Standing::behind);
-  EXPECT_EQ(standing_of({.factor = 1.2, .at_least = true}), Standing::ahead);
-  EXPECT_EQ(standing_of({.factor = 0.8, .at_least = true}), Standing::undecided);
-  EXPECT_EQ(standing_of({.factor = 0.8}), Standing::behind);
+TEST(Verdict, IsDecidedByTheWholeInterval) {
+  EXPECT_EQ(verdict_of({.factor = 2.0, .low = 1.5, .high = 3.0}), Verdict::ahead);
+  EXPECT_EQ(verdict_of({.factor = 2.0, .low = 0.9, .high = 3.0}), Verdict::undecided);
+  EXPECT_EQ(verdict_of({.factor = 0.5, .low = 0.4, .high = 1.1}), Verdict::undecided);
+  EXPECT_EQ(verdict_of({.factor = 0.5, .low = 0.4, .high = 0.9}), Verdict::behind);
+  EXPECT_EQ(verdict_of({.factor = 1.2, .at_least = true}), Verdict::ahead);
+  EXPECT_EQ(verdict_of({.factor = 0.8, .at_least = true}), Verdict::undecided);
+  EXPECT_EQ(verdict_of({.factor = 0.8}), Verdict::behind);
 }
 
 /// 4 s once and 1 ms a point; path tracing takes 10 ms a point to the same error: n = 4/(0.010 − 0.001).
@@ -100,7 +100,8 @@ TEST(GlanceSentence, CountsScenesAndNamesTheBest) {
 
 TEST(GlanceSentence, SaysThatNoneIsAhead) {
   const Study study = study_of({run_of("a", "slow", 80.0, 1.0, 0.1)});
-  EXPECT_THAT(glance_sentence(study, key, glance_rows(study, key)), HasSubstr("On none of 1 scene does a method reach its error"));
+  EXPECT_THAT(glance_sentence(study, key, glance_rows(study, key)),
+              HasSubstr("On none of 1 scene does a method reach its error"));
 }
 
 TEST(GlanceSentence, SaysWhereNothingCanBeCompared) {
