@@ -23,7 +23,8 @@ foreach(file ${report_files})
 endforeach()
 
 set(data share/gibench)
-install(DIRECTORY scenes DESTINATION ${data} FILES_MATCHING PATTERN "*.json" PATTERN "*.md" PATTERN "generators" EXCLUDE)
+install(DIRECTORY scenes DESTINATION ${data} FILES_MATCHING PATTERN "*.json" PATTERN "*.md"
+        PATTERN "*.replicas" PATTERN "generators" EXCLUDE)
 install(DIRECTORY ${GIBENCH_DATA_FOLDER}/generated_scenes DESTINATION ${data} OPTIONAL)
 install(DIRECTORY reports/page reports/plots DESTINATION ${data}/reports)
 list(TRANSFORM report_files PREPEND reports/)

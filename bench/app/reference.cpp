@@ -14,6 +14,7 @@
 #include "bench/measure/plan_options.h"
 #include "bench/measure/reference_files.h"
 #include "bench/measure/reference_making.h"
+#include "bench/measure/reference_search.h"
 #include "bench/record/file_lock.h"
 #include "bench/record/output_folder.h"
 #include "bench/record/reference_facts.h"
@@ -34,16 +35,23 @@ constexpr std::uint64_t most_samples = 1ULL << 20U;  // with a target and no bou
 struct ReferenceOptions {
   SceneOptions scene;
   MeasuringOptions measuring;
-  std::optional<std::uint64_t> samples_per_replica;
+  std::optional<std::uint64_t> samples_per_replica, image_samples_per_replica;
   std::optional<double> target_error;
   int replicas = 8;
   std::string shard = "0/1";
-  fs::path store = "references", out;
+  fs::path store = "references", out, packed;
   bool force = false, remake_damaged = false;
 };
 
 ReferenceGoal goal_of(const ReferenceOptions& options) {
-  return {options.samples_per_replica.value_or(options.target_error ? most_samples : default_samples), options.target_error};
+  return {options.samples_per_replica.value_or(options.target_error ? most_samples : default_samples),
+          options.image_samples_per_replica, options.target_error};
+}
+
+Reference not_begun(const ReferenceQuestion& question) {
+  Reference reference;
+  reference.question = question;
+  return reference;
 }
 
 void check_replicas(const Reference& reference, int replicas, const fs::path& folder) {
@@ -56,6 +64,18 @@ void check_replicas(const Reference& reference, int replicas, const fs::path& fo
 FileLock lock_of(const ReferenceStore& store, const Scene& scene, const ReferenceQuestion& question) {
   const fs::path folder = store.folder_of(scene, question);
   return FileLock(folder.string() + ".lock", folder, FileLock::WhenTaken::wait, stop_if_cancelled);
+}
+
+/// What came with the program, if it has the replicates that are wanted; a damaged one counts as none.
+std::optional<Reference> find_shipped(const ReferenceOptions& options, const LoadedScene& scene,
+                                      const ReferenceQuestion& question, const CommonOptions& common) {
+  const ReferenceSearch search(options.store, ReferenceSearch::Stores::own_then_shipped, scene, common.threads,
+                               [&](const std::string& warning) {
+                                 if (!common.quiet) fmt::print(stderr, "gibench: warning: {}\n", warning);
+                               });
+  auto shipped = search.find_shipped(question);
+  const bool fits = shipped && shipped->surface.direct.count() == static_cast<std::size_t>(options.replicas);
+  return fits ? std::move(shipped) : std::nullopt;
 }
 
 /// The stored one; with --remake-damaged none where it is damaged, and `damage` then says how.
@@ -75,8 +95,10 @@ Reference make_whole(const ReferenceOptions& options, const LoadedScene& scene, 
                      const CommonOptions& common, std::string& damage) {
   const ReferenceStore store(options.store);
   const FileLock lock = lock_of(store, scene.scene(), question);
-  Reference reference = find(options, store, scene.scene(), question, damage).value_or(Reference{question, 0, 0.0, {}, {}});
-  if (reference.samples_per_replica > 0) check_replicas(reference, options.replicas, store.folder_of(scene.scene(), question));
+  std::optional<Reference> stored = find(options, store, scene.scene(), question, damage);
+  if (stored) check_replicas(*stored, options.replicas, store.folder_of(scene.scene(), question));
+  else stored = find_shipped(options, scene, question, common);
+  Reference reference = stored ? std::move(*stored) : not_begun(question);
   try {
     extend_reference(scene, options.measuring, {options.replicas, 0, 1}, goal_of(options), common, reference,
                      [&](const Reference& state) { store.save(scene.scene(), state); });
@@ -128,7 +150,7 @@ std::optional<Reference> make_shard(const ReferenceOptions& options, const Loade
     const FileLock lock = lock_of(store, scene.scene(), question);
     auto part = find(options, store, scene.scene(), question, damage);
     if (!part && whole) part = shard_of(*whole, shard.index, shard.of);
-    Reference reference = part.value_or(Reference{question, 0, 0.0, {}, {}});
+    Reference reference = part.value_or(not_begun(question));
     extend_reference(scene, options.measuring, {options.replicas, shard.index, shard.of}, goal_of(options), common, reference,
                      [&](const Reference& state) { store.save(scene.scene(), state); });
   }
@@ -180,6 +202,7 @@ ExitStatus reference(const ReferenceOptions& options, const CommonOptions& commo
     stop_if_cancelled();
     folder->commit();
   }
+  if (!options.packed.empty()) ReferenceStore(options.packed).save(scene.scene(), *made, ReferenceStore::Keep::packed);
   tell(options, scene, *made, damage, common);
   return ExitStatus::done;
 }
@@ -198,12 +221,18 @@ void add_reference(CLI::App& app, Call& call) {
           "--samples", options->samples_per_replica,
           fmt::format("Paths per value (surface sample or pixel) in each replicate; {} without a target", default_samples))
       ->check(CLI::Range(std::uint64_t{1}, most_samples));
+  verb->add_option("--picture-samples", options->image_samples_per_replica,
+                   "At most so many of these paths for each pixel; as many as at the surface without it")
+      ->check(CLI::Range(std::uint64_t{1}, most_samples));
   verb->add_option("--replicas", options->replicas, "Independent replicates")->check(CLI::Range(2, 1024))->capture_default_str();
   add_measuring_options(*verb, options->measuring);
   add_light_paths_option(*verb, options->measuring.light_paths);
   verb->add_option("--references", options->store, "Folder of the reference store")
       ->type_name(value_kind::folder)
       ->capture_default_str();
+  verb->add_option("--packed", options->packed,
+                   "Also keep it in this reference store, in as few bits as its noise leaves meaning: a store to give to others")
+      ->type_name(value_kind::folder);
   verb->add_option("--shard", options->shard, "i/n: make only the replicates r with r mod n = i; the last one merges")
       ->capture_default_str();
   verb->add_option("--out", options->out, "Also write reference.exr and reference.json into this folder")

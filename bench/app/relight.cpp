@@ -119,11 +119,12 @@ class Relighter {
 
   void compare(const LightsFrame& frame, const Answers& answers, RelitFrame& record) const {
     LoadedScene lit{std::make_unique<World>(scene_at(frame), *world_)};
-    Reference reference{question_, 0, 0.0, {}, {}};
+    Reference reference;
+    reference.question = question_;
     CommonOptions quietly = common_;
     quietly.quiet = true;
-    extend_reference(lit, measuring_, {.count = reference_replicas}, {options_.reference_samples, std::nullopt}, quietly,
-                     reference, [](const Reference&) {});
+    extend_reference(lit, measuring_, {.count = reference_replicas}, {options_.reference_samples, std::nullopt, std::nullopt},
+                     quietly, reference, [](const Reference&) {});
     record.errors[Component::direct] = value_errors(answers.direct, reference.surface.direct);
     record.errors[Component::indirect] = value_errors(answers.indirect, reference.surface.indirect);
     const Replicas total = Replicas::sum(reference.surface.direct, reference.surface.indirect);

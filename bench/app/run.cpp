@@ -13,6 +13,7 @@
 #include "bench/measure/cancellation.h"
 #include "bench/measure/memory_needs.h"
 #include "bench/measure/picture_library.h"
+#include "bench/measure/reference_search.h"
 #include "bench/measure/result_files.h"
 #include "bench/measure/run_bounces.h"
 #include "bench/measure/run_errors.h"
@@ -46,11 +47,12 @@ bool is_wanted(const RunOptions& options, const Scene& scene, const Reference& r
 }
 
 /// The stored reference; if there is none, a warning with the command that makes it. Never makes one itself.
-std::optional<Reference> stored_reference(const RunOptions& options, const Scene& scene, std::vector<std::string>& warnings) {
+std::optional<Reference> stored_reference(const RunOptions& options, const Scene& scene, const ReferenceSearch& search,
+                                          std::vector<std::string>& warnings) {
   if (options.reference == "none") return std::nullopt;
   const bool named = options.reference != "auto";
   const std::string folder = named ? options.reference : options.store;
-  auto found = ReferenceStore(folder).find(scene, question_of(scene, options.measuring));
+  auto found = search.find(question_of(scene, options.measuring));
   const std::string command =
       fmt::format("gibench reference {} --references {}{}", options.scene.name, folder, command_line_of(options.measuring));
   if (found && !is_wanted(options, scene, *found))
@@ -73,17 +75,18 @@ std::string command_for(const RunOptions& options, const std::string& light_path
   return fmt::format("gibench reference {} --references {}{}", options.scene.name, store_of(options), command_line_of(measuring));
 }
 
-std::optional<Reference> reference_of(const RunOptions& options, const Scene& scene, const std::string& light_paths) {
-  auto found = ReferenceStore(store_of(options)).find(scene, restricted_to(question_of(scene, options.measuring), light_paths));
+std::optional<Reference> reference_of(const RunOptions& options, const Scene& scene, const ReferenceSearch& search,
+                                      const std::string& light_paths) {
+  auto found = search.find(restricted_to(question_of(scene, options.measuring), light_paths));
   return found && is_wanted(options, scene, *found) ? std::move(found) : std::nullopt;
 }
 
 /// Model error (of the paths that a method lacks) and discretisation error (on those that it has).
-void split_errors(const RunOptions& options, const Scene& scene, const Reference& all, const Exposure& exposure,
-                  RunOutcome& outcome, std::vector<std::string>& warnings) {
+void split_errors(const RunOptions& options, const Scene& scene, const ReferenceSearch& search, const Reference& all,
+                  const Exposure& exposure, RunOutcome& outcome, std::vector<std::string>& warnings) {
   RunRecord& record = outcome.record;
   if (record.complete) return;
-  const std::optional<Reference> some = reference_of(options, scene, record.light_paths);
+  const std::optional<Reference> some = reference_of(options, scene, search, record.light_paths);
   if (!some) {
     warnings.push_back(
         "no stored reference of the light paths that the method simulates, so its model error is unknown; make one: " +
@@ -110,11 +113,13 @@ void tell_what_is_missing(RunRecord& record) {
   record.warnings.push_back(std::move(text));
 }
 
-void add_bounces(const RunOptions& options, const LoadedScene& scene, const MethodChoice& choice, const CommonOptions& common,
-                 const Exposure& exposure, RunRecord& record, std::vector<std::string>& warnings) {
+void add_bounces(const RunOptions& options, const LoadedScene& scene, const ReferenceSearch& search, const MethodChoice& choice,
+                 const CommonOptions& common, const Exposure& exposure, RunRecord& record, std::vector<std::string>& warnings) {
   if (!options.per_bounce) return;
   std::vector<std::string> lacking;
-  const FindReference find = [&](const std::string& light_paths) { return reference_of(options, scene.scene(), light_paths); };
+  const FindReference find = [&](const std::string& light_paths) {
+    return reference_of(options, scene.scene(), search, light_paths);
+  };
   record.per_bounce =
       errors_per_bounce(scene, choice, options.measuring, options.plan, common, *options.per_bounce, exposure, find, lacking);
   for (const std::string& light_paths : lacking)
@@ -166,7 +171,10 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
   if (!options.out.empty() && camera) pictures.emplace();
   std::vector<std::string> warnings;
   require_memory(question_of(scene.scene(), options.measuring), available_memory(), options.method_seeds);
-  const std::optional<Reference> reference = stored_reference(options, scene.scene(), warnings);
+  using Stores = ReferenceSearch::Stores;
+  const ReferenceSearch search(store_of(options), options.reference == "auto" ? Stores::own_then_shipped : Stores::own_only,
+                               scene, common.threads, [&](const std::string& line) { warnings.push_back(line); });
+  const std::optional<Reference> reference = stored_reference(options, scene.scene(), search, warnings);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out, result_file, options.force);
   RunLog log(folder ? folder->partial() / log_file : std::filesystem::path(), common.quiet);
@@ -180,10 +188,10 @@ ExitStatus run(const RunOptions& options, const CommonOptions& common) {
     outcome.record.errors = errors_against(*reference, outcome.surface, outcome.image, exposure, outcome.other_seeds);
     outcome.record.reference = facts_of(scene.scene(), *reference);
     outcome.pairs = pairs_against(*reference, outcome);
-    split_errors(options, scene.scene(), *reference, exposure, outcome, warnings);
+    split_errors(options, scene.scene(), search, *reference, exposure, outcome, warnings);
     tell_what_is_missing(outcome.record);
   }
-  if (options.reference != "none") add_bounces(options, scene, choice, common, exposure, outcome.record, warnings);
+  if (options.reference != "none") add_bounces(options, scene, search, choice, common, exposure, outcome.record, warnings);
   outcome.record.warnings.insert(outcome.record.warnings.end(), warnings.begin(), warnings.end());
   for (const std::string& warning : outcome.record.warnings) log.warn(warning);
   stop_if_cancelled();

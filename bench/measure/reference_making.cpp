@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "bench/measure/cancellation.h"
+#include "bench/measure/reference_search.h"
 #include "bench/measure/run_method.h"
 #include "bench/record/reference_facts.h"
 #include "common/core/error.h"
@@ -31,23 +33,25 @@ class ReplicaMaker {
         common_(common),
         points_(measuring_points(*scene.world, question, common.threads)) {}
 
-  struct Estimates {
-    Answers surface;
-    std::optional<Answers> image;
+  /// Paths of one value from `first` to before `last`.
+  struct Span {
+    std::uint64_t first = 0, last = 0;
+
+    std::uint64_t count() const { return last - first; }
   };
 
-  Estimates make(int replica, std::uint64_t first, std::uint64_t count) const {
-    Estimates estimates;
-    estimates.surface = answers(replica, first, count,
-                                [this](const LitMethod& lit, Task& task) { return shade_surface(*lit.method, points_, task); });
-    // A pixel's paths are shared out among its camera rays.
-    const auto per_pixel = static_cast<std::uint64_t>(question_.pixel_samples);
-    if (points_.camera)
-      estimates.image = answers(replica, first / per_pixel, count / per_pixel, [this](const LitMethod& lit, Task& task) {
-        return shade_image(*lit.method, points_, lit.shows_background(), task);
-      });
-    return estimates;
+  Answers make_surface(int replica, const Span& paths) const {
+    return answers(replica, paths.first, paths.count(),
+                   [this](const LitMethod& lit, Task& task) { return shade_surface(*lit.method, points_, task); });
   }
+  /// A pixel's paths are shared out among its camera rays.
+  Answers make_image(int replica, const Span& paths) const {
+    const auto per_pixel = static_cast<std::uint64_t>(question_.pixel_samples);
+    return answers(replica, paths.first / per_pixel, paths.count() / per_pixel, [this](const LitMethod& lit, Task& task) {
+      return shade_image(*lit.method, points_, lit.shows_background(), task);
+    });
+  }
+  const MeasuringPoints& points() const { return points_; }
 
  private:
   template <class Shade>
@@ -79,10 +83,34 @@ void keep(ReferenceValues& values, const Answers& answers) {
   values.indirect.replicas.push_back(answers.indirect);
 }
 
+/// Of the pixels, where there are so many paths for each value at the surface.
+std::uint64_t image_samples(const ReferenceGoal& goal, const ReferenceQuestion& question, std::uint64_t samples) {
+  return question.camera ? whole_samples(std::min(samples, goal.image_samples_per_replica.value_or(samples)), question) : 0;
+}
+
+/// Of which error a target is: pixels with a number of paths of their own are not its matter.
+double error_of(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
+  const ReferenceFacts facts = facts_of(scene, reference);
+  return goal.image_samples_per_replica ? facts.surface_error.value_or(0.0) : facts.relative_standard_error();
+}
+
 bool reached(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
-  if (reference.samples_per_replica >= goal.samples_per_replica) return true;
-  return goal.target_error && reference.samples_per_replica > 0 &&
-         facts_of(scene, reference).relative_standard_error() <= *goal.target_error;
+  if (reference.samples_per_replica >= goal.samples_per_replica &&
+      reference.image_samples_per_replica >= image_samples(goal, reference.question, goal.samples_per_replica))
+    return true;
+  if (!goal.target_error || reference.samples_per_replica == 0) return false;
+  return error_of(goal, scene, reference) <= *goal.target_error;
+}
+
+/// After the next round: twice as many, or fewer where a target asks for fewer, as errors go with the root of the number.
+std::uint64_t next_samples(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
+  const std::uint64_t before = reference.samples_per_replica;
+  const std::uint64_t most = std::min(std::max(before, goal.samples_per_replica), std::max(first_round, 2 * before));
+  if (!goal.target_error || before == 0) return most;
+  constexpr double reserve = 1.02;  // the error is itself an estimate
+  const double needed =
+      static_cast<double>(before) * std::pow(error_of(goal, scene, reference) / *goal.target_error, 2.0) * reserve;
+  return needed < static_cast<double>(most) ? std::max(before + 1, static_cast<std::uint64_t>(needed)) : most;
 }
 
 std::vector<std::vector<Rgb>> every(const std::vector<std::vector<Rgb>>& replicas, std::size_t first, std::size_t step) {
@@ -129,22 +157,25 @@ void extend_reference(const LoadedScene& scene, const MeasuringOptions& measurin
   const ReplicaMaker maker(scene, question, measuring, common);
   const auto own = static_cast<std::size_t>(set.own());
   const std::shared_ptr<Progress> progress = common.progress_of("reference of " + scene.scene().name);
-  const ReferenceGoal whole_goal{whole_samples(goal.samples_per_replica, question), goal.target_error};
+  const ReferenceGoal whole_goal{whole_samples(goal.samples_per_replica, question), goal.image_samples_per_replica,
+                                 goal.target_error};
   const std::uint64_t begun_with = reference.samples_per_replica;
   while (!reached(whole_goal, scene.scene(), reference)) {
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t before = reference.samples_per_replica;
-    const std::uint64_t after =
-        std::min(whole_goal.samples_per_replica, whole_samples(std::max(first_round, 2 * before), question));
-    Reference more{question, after - before, 0.0, {}, {}};
+    const std::uint64_t after = whole_samples(next_samples(whole_goal, scene.scene(), reference), question);
+    const ReplicaMaker::Span surface{before, after},
+        image{reference.image_samples_per_replica,
+              std::max(reference.image_samples_per_replica, image_samples(whole_goal, question, after))};
+    Reference more{question, surface.count(), image.count(), 0.0, fingerprint_of(maker.points().surface), {}, {}};
     for (std::size_t i = 0; i < own; ++i) {
       const double in_round = static_cast<double>(i) / static_cast<double>(own);
       progress->update(fmt::format("{} samples", after),
                        (static_cast<double>(before - begun_with) + in_round * static_cast<double>(after - before)) /
-                           static_cast<double>(whole_goal.samples_per_replica - begun_with));
-      const auto estimates = maker.make(set.shard + static_cast<int>(i) * set.of, before, after - before);
-      keep(more.surface, estimates.surface);
-      if (estimates.image) keep(more.image, *estimates.image);
+                           static_cast<double>(std::max(whole_goal.samples_per_replica, after) - begun_with + 1));
+      const int replica = set.first + set.shard + static_cast<int>(i) * set.of;
+      if (surface.count() > 0) keep(more.surface, maker.make_surface(replica, surface));
+      if (image.count() > 0) keep(more.image, maker.make_image(replica, image));
       stop_if_cancelled();
     }
     more.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

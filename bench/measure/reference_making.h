@@ -25,14 +25,16 @@ struct ReferenceMethod {
 struct ReplicaSet {
   int count = 8;          ///< replicates of the whole reference
   int shard = 0, of = 1;  ///< this process makes those r with r mod of = shard
+  int first = 0;          ///< number of the first one: others than these are independent of them
 
   int own() const { return (count - shard + of - 1) / of; }
 };
 
 /// How far a reference is to go.
 struct ReferenceGoal {
-  std::uint64_t samples_per_replica = 0;  ///< paths per value in each; with a target: at most
-  std::optional<double> target_error;     ///< relative standard error of the indirect light at which to stop
+  std::uint64_t samples_per_replica = 0;                   ///< paths per value in each; with a target: at most
+  std::optional<std::uint64_t> image_samples_per_replica;  ///< at most so many of them for each pixel; empty: as many
+  std::optional<double> target_error;                      ///< relative standard error of the indirect light at which to stop
 };
 
 /// Continues `reference` (empty replicas: begins it) with rounds that at most double its samples until the goal is met.

@@ -19,7 +19,10 @@ std::optional<double> error_of(const ReferenceValues& values) {
 
 }  // namespace
 
-std::string ReferenceFacts::state() const { return key + ":" + std::to_string(total_samples()); }
+std::string ReferenceFacts::state() const {
+  const std::string surface = key + ":" + std::to_string(total_samples());
+  return image_samples_per_replica ? surface + ":" + std::to_string(*image_samples_per_replica * replicas) : surface;
+}
 
 double ReferenceFacts::relative_standard_error() const {
   return std::max(surface_error.value_or(0.0), image_error.value_or(0.0));
@@ -30,6 +33,8 @@ ReferenceFacts facts_of(const Scene& scene, const Reference& reference) {
   facts.key = reference_key(scene, reference.question);
   facts.path_class = reference.question.path_class;
   facts.samples_per_replica = reference.samples_per_replica;
+  if (reference.question.camera && reference.image_samples_per_replica != reference.samples_per_replica)
+    facts.image_samples_per_replica = reference.image_samples_per_replica;
   facts.replicas = std::max(reference.surface.direct.count(), reference.image.direct.count());
   facts.seconds = reference.seconds;
   facts.surface_error = error_of(reference.surface);
@@ -41,6 +46,7 @@ nlohmann::ordered_json to_json(const ReferenceFacts& facts) {
   nlohmann::ordered_json json{{"samples", facts.total_samples()}, {"relative_standard_error", facts.relative_standard_error()},
                               {"path_class", facts.path_class},   {"key", facts.key},
                               {"replicas", facts.replicas},       {"samples_per_replica", facts.samples_per_replica}};
+  if (facts.image_samples_per_replica) json["image_samples_per_replica"] = *facts.image_samples_per_replica;
   if (facts.surface_error) json["surface_relative_standard_error"] = *facts.surface_error;
   if (facts.image_error) json["image_relative_standard_error"] = *facts.image_error;
   json["seconds"] = facts.seconds;
@@ -53,6 +59,7 @@ ReferenceFacts reference_facts_of(const nlohmann::ordered_json& json) {
   read_field(json, "key", facts.key);
   read_field(json, "replicas", facts.replicas);
   read_field(json, "samples_per_replica", facts.samples_per_replica);
+  read_field(json, "image_samples_per_replica", facts.image_samples_per_replica);
   read_field(json, "surface_relative_standard_error", facts.surface_error);
   read_field(json, "image_relative_standard_error", facts.image_error);
   read_field(json, "seconds", facts.seconds);

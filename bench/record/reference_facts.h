@@ -12,7 +12,8 @@ namespace gibench {
 
 struct ReferenceFacts {
   std::string key, path_class;
-  std::uint64_t samples_per_replica = 0;  ///< paths for each value in each replicate
+  std::uint64_t samples_per_replica = 0;                   ///< paths for each value in each replicate
+  std::optional<std::uint64_t> image_samples_per_replica;  ///< for each pixel, where they are other ones
   std::size_t replicas = 0;
   double seconds = 0.0;  ///< spent on making it
   /// Of the indirect light (of all light where there is no indirect); absent where nothing was asked there.
@@ -20,7 +21,7 @@ struct ReferenceFacts {
 
   /// Paths for each value in all, over replicates.
   std::uint64_t total_samples() const { return samples_per_replica * replicas; }
-  /// Key and paths, "KEY:PATHS": another state gives other errors.
+  /// Key and paths, "KEY:PATHS", or "KEY:PATHS:PATHS" where pixels have other numbers of them: another state gives other errors.
   std::string state() const;
   /// The larger of the two.
   double relative_standard_error() const;

@@ -39,21 +39,26 @@ void blend(Replicas& into, const Replicas& more, double share) {
       into.replicas[r][i] = Rgb((1.0 - share) * RgbDouble(into.replicas[r][i]) + share * RgbDouble(more.replicas[r][i]));
 }
 
+/// Both components by the numbers of their samples, which are added up.
+void blend(ReferenceValues& into, std::uint64_t& samples, const ReferenceValues& more, std::uint64_t more_samples) {
+  if (more_samples == 0) return;
+  samples += more_samples;
+  const double share = static_cast<double>(more_samples) / static_cast<double>(samples);
+  for (const auto component : {&ReferenceValues::direct, &ReferenceValues::indirect})
+    blend(into.*component, more.*component, share);
+}
+
 }  // namespace
 
 void merge(Reference& into, const Reference& more) {
   check_same_question(into.question, more.question);
-  for (const auto values : {&Reference::surface, &Reference::image})
-    for (const auto component : {&ReferenceValues::direct, &ReferenceValues::indirect})
-      check_same_shape(into.*values.*component, more.*values.*component);
-  const std::uint64_t samples = into.samples_per_replica + more.samples_per_replica;
-  if (more.samples_per_replica > 0) {
-    const double share = static_cast<double>(more.samples_per_replica) / static_cast<double>(samples);
-    for (const auto values : {&Reference::surface, &Reference::image})
-      for (const auto component : {&ReferenceValues::direct, &ReferenceValues::indirect})
-        blend(into.*values.*component, more.*values.*component, share);
+  check_mergeable(into.points == 0 || more.points == 0 || into.points == more.points, "their surface samples differ");
+  for (const auto component : {&ReferenceValues::direct, &ReferenceValues::indirect}) {
+    if (more.samples_per_replica > 0) check_same_shape(into.surface.*component, more.surface.*component);
+    if (more.image_samples_per_replica > 0) check_same_shape(into.image.*component, more.image.*component);
   }
-  into.samples_per_replica = samples;
+  blend(into.surface, into.samples_per_replica, more.surface, more.samples_per_replica);
+  blend(into.image, into.image_samples_per_replica, more.image, more.image_samples_per_replica);
   into.seconds += more.seconds;
 }
 

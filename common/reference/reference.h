@@ -28,10 +28,12 @@ struct ReferenceValues {
 /// The replicates of one question, and what they cost.
 struct Reference {
   ReferenceQuestion question;
-  std::uint64_t samples_per_replica = 0;  ///< paths for each value in each replicate
-  double seconds = 0.0;                   ///< spent so far on making it
-  ReferenceValues surface;                ///< W/m²
-  ReferenceValues image;                  ///< W/(m² sr), row-major from the top
+  std::uint64_t samples_per_replica = 0;        ///< paths for each value at the surface in each replicate
+  std::uint64_t image_samples_per_replica = 0;  ///< for each pixel; 0 without a camera
+  double seconds = 0.0;                         ///< spent so far on making it
+  std::uint64_t points = 0;                     ///< fingerprint of the surface samples; 0: not known
+  ReferenceValues surface;                      ///< W/m²
+  ReferenceValues image;                        ///< W/(m² sr), row-major from the top
 };
 
 }  // namespace gibench

@@ -31,6 +31,10 @@ struct Part {
     return reference.*values.*component;
   }
   std::string file() const { return std::string(name) + ".replicas"; }
+  ReplicaFormat format(ReferenceStore::Keep keep) const {
+    if (keep == ReferenceStore::Keep::all) return ReplicaFormat::exact;
+    return values == &Reference::surface ? ReplicaFormat::packed : ReplicaFormat::packed_coarsely;
+  }
 };
 constexpr std::array<Part, 4> parts{{{"surface_direct", &Reference::surface, &ReferenceValues::direct},
                                      {"surface_indirect", &Reference::surface, &ReferenceValues::indirect},
@@ -74,6 +78,8 @@ ordered_json describe(const Scene& scene, const Reference& reference, const std:
   ordered_json meta{{"gibench_reference", 1}, {"key", key}, {"scene", scene.name}, {"scene_key", scene_key(scene)}};
   meta.update(question_json(reference.question));
   meta["samples_per_replica"] = reference.samples_per_replica;
+  if (reference.question.camera) meta["image_samples_per_replica"] = reference.image_samples_per_replica;
+  if (reference.points != 0) meta["points"] = hex_of(reference.points);
   meta["seconds"] = reference.seconds;
   for (const Part& part : parts) {
     const Replicas& replicas = part.of(reference);
@@ -111,6 +117,10 @@ std::optional<Reference> ReferenceStore::find(const Scene& scene, const Referenc
   Reference reference;
   reference.question = question;
   reference.samples_per_replica = meta.at("samples_per_replica").get<std::uint64_t>();
+  // Stores of before hold as many paths for each pixel as for each value at the surface.
+  if (question.camera)
+    reference.image_samples_per_replica = meta.value("image_samples_per_replica", reference.samples_per_replica);
+  if (meta.contains("points")) reference.points = std::stoull(meta.at("points").get<std::string>(), nullptr, 16);
   reference.seconds = meta.at("seconds").get<double>();
   for (const Part& part : parts) {
     const std::string checksum = meta.at("parts").at(part.name).at("checksum").get<std::string>();
@@ -119,7 +129,7 @@ std::optional<Reference> ReferenceStore::find(const Scene& scene, const Referenc
   return reference;
 }
 
-void ReferenceStore::save(const Scene& scene, const Reference& reference) const {
+void ReferenceStore::save(const Scene& scene, const Reference& reference, Keep keep) const {
   const std::filesystem::path target = folder_of(scene, reference.question), made = temporary_beside(target);
   std::error_code failure;
   std::filesystem::create_directories(made, failure);
@@ -129,7 +139,7 @@ void ReferenceStore::save(const Scene& scene, const Reference& reference) const 
   try {
     ordered_json meta = describe(scene, reference, target.filename().string());
     for (const Part& part : parts)
-      meta["parts"][part.name]["checksum"] = hex_of(write_replicas(made / part.file(), part.of(reference)));
+      meta["parts"][part.name]["checksum"] = hex_of(write_replicas(made / part.file(), part.of(reference), part.format(keep)));
     meta["checksum"] = guard_of(meta);
     write_file_atomically(made / "meta.json", text_of(meta, 2) + "\n");
     replace_folder(made, target);

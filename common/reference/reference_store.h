@@ -12,16 +12,19 @@
 namespace gibench {
 
 /// References in folders, one each, named by their key: meta.json, which a reader understands (scene, question,
-/// samples, seconds, relative standard errors), and the replicates as little-endian floats with a checksum.
+/// samples, seconds, relative standard errors), and the replicates as files with a checksum.
 class ReferenceStore {
  public:
+  /// All bits, or those that their noise leaves meaning, of pixels fewer than of the surface.
+  enum class Keep { all, packed };
+
   explicit ReferenceStore(std::filesystem::path folder);
 
   /// Empty where there is none. Throws DamagedReference for a damaged one, with its file.
   std::optional<Reference> find(const Scene& scene, const ReferenceQuestion& question) const;
   /// Writes or replaces the reference of this question, whole: a reader, or the next run after a kill, finds the old
   /// one or the new one. Throws as a write does if the store cannot be written.
-  void save(const Scene& scene, const Reference& reference) const;
+  void save(const Scene& scene, const Reference& reference, Keep keep = Keep::all) const;
   std::filesystem::path folder_of(const Scene& scene, const ReferenceQuestion& question) const;
 
  private:

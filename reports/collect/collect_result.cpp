@@ -54,6 +54,7 @@ void read_result(const std::filesystem::path& file, StudyRun& run) {
   if (!record.parameters.empty()) run.parameters = facts_of(to_json(record.parameters));
   run.machine = machine_text(record.origin.machine);
   run.surface_domain = record.measured_at.surface_domain;
+  run.surface_samples = record.measured_at.surface_samples;
   run.seed = record.seed;
   run.threads = static_cast<std::uint64_t>(record.threads);
   run.effects = record.plan;

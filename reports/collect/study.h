@@ -53,6 +53,7 @@ struct StudyRun {
   // From result.json.
   std::string machine;         ///< processor, cores, compiler and build: seconds of different ones do not compare
   std::string surface_domain;  ///< of its surface samples: seen, all, whole or names of objects
+  std::size_t surface_samples = 0;
   std::optional<std::uint64_t> seed, threads;
   std::optional<EffectPlan> effects;
   std::map<Stage, double> seconds;  ///< of those that were recorded

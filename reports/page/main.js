@@ -26,6 +26,7 @@
   const frames = [];
 
   function show() {
+    sections.glance(chosen);
     sections.across(chosen);
     sections.split(chosen);
     study.scenes.forEach((scene, index) => sections.sceneResults(scene, index, frames[index], chosen));
@@ -94,7 +95,7 @@
   }
 
   function contents() {
-    const links = [["across", "Across scenes"], ["split", "Error split"], ...(study.relights.table.rows.length ? [["relighting", "Relighting"]] : []), ...study.scenes.map((scene) => [scene.slug, scene.name]), ["effects", "Effects"], ["failures", "Runs without a result"], ["definitions", "Definitions"], ["manifest", "Manifest"]];
+    const links = [["glance", "At a glance"], ["across", "Across scenes"], ["split", "Error split"], ...(study.relights.table.rows.length ? [["relighting", "Relighting"]] : []), ...study.scenes.map((scene) => [scene.slug, scene.name]), ["effects", "Effects"], ["failures", "Runs without a result"], ["definitions", "Definitions"], ["manifest", "Manifest"]];
     document.getElementById("contents").append(...links.map(([id, text]) => element("li", {}, element("a", { href: `#${id}` }, text))));
   }
 

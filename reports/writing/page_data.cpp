@@ -7,6 +7,7 @@
 #include <set>
 
 #include "reports/collect/facts.h"
+#include "reports/tables/at_a_glance.h"
 #include "reports/tables/format.h"
 #include "reports/tables/method_style.h"
 #include "reports/tables/pair_tables.h"
@@ -177,6 +178,11 @@ Json ranking_json(const Study& study, const ErrorKey& key) {
   return {{"table", table_json(ranking_table(study, key, rows))}, {"points", points}};
 }
 
+Json glance_json(const Study& study, const ErrorKey& key) {
+  const std::vector<GlanceRow> rows = glance_rows(study, key);
+  return {{"sentence", glance_sentence(study, key, rows)}, {"table", table_json(glance_table(study, key, rows))}};
+}
+
 /// The points of the plot of both parts: one of each part that a run measured.
 Json split_json(const Study& study, const ErrorKey& key) {
   const Metric metric = metric_info(key.metric);
@@ -263,6 +269,7 @@ std::string error_data(const Study& study, const ErrorKey& key, std::size_t posi
     pairs.push_back(table_json(pair_table(study, scene, key)));
   }
   return assignment(fmt::format("study.errors[{}]", position), {{"runs", runs},
+                                                                {"glance", glance_json(study, key)},
                                                                 {"ranking", ranking_json(study, key)},
                                                                 {"split", split_json(study, key)},
                                                                 {"tables", tables},

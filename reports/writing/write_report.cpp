@@ -7,6 +7,7 @@
 #include "common/core/error.h"
 #include "common/core/write_failure.h"
 #include "reports/collect/facts.h"
+#include "reports/tables/at_a_glance.h"
 #include "reports/tables/pair_tables.h"
 #include "reports/tables/study_tables.h"
 #include "reports/writing/page_data.h"
@@ -38,6 +39,7 @@ void write_tables(const Study& study, const fs::path& folder) {
     write_table(folder, scene_table(study, scene, key));
     if (const Table pairs = pair_table(study, scene, key); !pairs.rows.empty()) write_table(folder, pairs);
   }
+  write_table(folder, glance_table(study, key, glance_rows(study, key)));
   write_table(folder, ranking_table(study, key, rank(study, key)));
   for (const Table& table :
        {run_table(study), error_table(study), effect_matrix(study), effect_table(study), failure_table(study), call_table(study),

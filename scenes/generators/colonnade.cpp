@@ -1,13 +1,12 @@
 #include "scenes/generators/colonnade.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
-#include "common/core/error.h"
 #include "scenes/generators/column.h"
 #include "scenes/generators/figure.h"
+#include "scenes/generators/scene_writer.h"
 
 namespace gibench::generators {
 
@@ -19,32 +18,6 @@ using Json = nlohmann::ordered_json;
 constexpr int columns_per_row = 7, figures = 5;
 constexpr double spacing = 2.4, row_distance = 4.8, arch_depth = 0.62;
 constexpr double length = spacing * (columns_per_row - 1), step_height = 0.17, pedestal_height = 0.9;
-
-class Writer {
- public:
-  explicit Writer(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-  /// Writes the model; place() puts it into the scene as often as wanted.
-  void model(const std::string& name, const Mesh& mesh) {
-    write_ply(mesh, folder_ / (name + ".ply"));
-    triangles_of_[name] = mesh.triangle_count();
-  }
-  void place(const std::string& name, const std::string& model, const std::string& material, const Vec3d& translate,
-             double turn_degrees = 0.0) {
-    Json object{
-        {"name", name}, {"material", material}, {"file", model + ".ply"}, {"translate", {translate.x, translate.y, translate.z}}};
-    if (turn_degrees != 0.0) object["rotate_degrees"] = {0.0, turn_degrees, 0.0};
-    objects_.push_back(object);
-    triangles_ += triangles_of_.at(model).get<std::size_t>();
-  }
-  const Json& objects() const { return objects_; }
-  std::size_t triangles() const { return triangles_; }
-
- private:
-  std::filesystem::path folder_;
-  Json objects_ = Json::array(), triangles_of_;
-  std::size_t triangles_ = 0;
-};
 
 /// A platform of three steps without hidden faces: upright risers, level treads and the floor.
 Mesh terrace() {
@@ -63,40 +36,39 @@ Mesh terrace() {
 }
 
 /// The terrace on its ground, rows of columns, arches and the beams over them.
-void build_hall(Writer& writer, const ColumnShape& shape) {
+void build_hall(SceneWriter& writer, const ColumnShape& shape) {
   const double half_length = 0.5 * length, half_width = 0.5 * row_distance;
-  writer.model("colonnade-terrace", terrace());
+  writer.model("terrace", terrace());
   const Vec3d foot(half_length + 1.7, -3.0 * step_height, half_width + 1.7);
-  writer.model("colonnade-ground", frame(foot, foot + Vec3d(4.0, 0.0, 4.0)));
-  writer.model("colonnade-column", column(shape));
+  writer.model("ground", frame(foot, foot + Vec3d(4.0, 0.0, 4.0)));
+  writer.model("column", column(shape));
   const double inner = 0.5 * spacing - 0.42, outer = 0.5 * spacing - 0.01;
-  writer.model("colonnade-arch", arch(inner, outer, arch_depth, 48));
-  writer.model("colonnade-beam", block({-half_length - 0.6, 0.0, -0.36}, {half_length + 0.6, 0.5, 0.36}));
-  writer.place("ground", "colonnade-ground", "earth", {});
-  writer.place("terrace", "colonnade-terrace", "paving", {});
+  writer.model("arch", arch(inner, outer, arch_depth, 48));
+  writer.model("beam", block({-half_length - 0.6, 0.0, -0.36}, {half_length + 0.6, 0.5, 0.36}));
+  writer.place("ground", "ground", "earth");
+  writer.place("terrace", "terrace", "paving");
   for (int side = -1; side <= 1; side += 2) {
     const std::string row = side < 0 ? "north" : "south";
     const double z = side * half_width;
     for (int i = 0; i < columns_per_row; ++i) {
       const double x = -half_length + spacing * i;
-      writer.place(row + " column " + std::to_string(i + 1), "colonnade-column", "marble", {x, -0.005, z});
+      writer.place(row + " column " + std::to_string(i + 1), "column", "marble", {{x, -0.005, z}});
       if (i + 1 < columns_per_row)
-        writer.place(row + " arch " + std::to_string(i + 1), "colonnade-arch", "limestone",
-                     {x + 0.5 * spacing, shape.height - 0.01, z});
+        writer.place(row + " arch " + std::to_string(i + 1), "arch", "limestone", {{x + 0.5 * spacing, shape.height - 0.01, z}});
     }
-    writer.place(row + " beam", "colonnade-beam", "limestone", {0.0, shape.height + outer - 0.02, z});
+    writer.place(row + " beam", "beam", "limestone", {{0.0, shape.height + outer - 0.02, z}});
   }
 }
 
 /// A different figure on each pedestal, in turn on either side of the middle.
-void build_figures(Writer& writer) {
-  writer.model("colonnade-pedestal", block({-0.45, -0.005, -0.45}, {0.45, pedestal_height, 0.45}));
+void build_figures(SceneWriter& writer) {
+  writer.model("pedestal", block({-0.45, -0.005, -0.45}, {0.45, pedestal_height, 0.45}));
   for (int i = 0; i < figures; ++i) {
-    const std::string number = std::to_string(i + 1), model = "colonnade-figure-" + number;
+    const std::string number = std::to_string(i + 1), model = "figure-" + number;
     const double x = -0.5 * length + spacing * (i + 1), z = i % 2 == 0 ? -1.15 : 1.15;
     writer.model(model, figure(static_cast<std::uint64_t>(i) + 1));
-    writer.place("pedestal " + number, "colonnade-pedestal", "limestone", {x, 0.0, z});
-    writer.place("figure " + number, model, i == 2 ? "bronze" : "marble", {x, pedestal_height - 0.005, z}, -70.0 + 20.0 * i);
+    writer.place("pedestal " + number, "pedestal", "limestone", {{x, 0.0, z}});
+    writer.place("figure " + number, model, i == 2 ? "bronze" : "marble", {{x, pedestal_height - 0.005, z}, -70.0 + 20.0 * i});
   }
 }
 
@@ -112,37 +84,27 @@ Json materials() {
 }  // namespace
 
 std::size_t write_colonnade(const std::filesystem::path& folder) {
-  std::error_code ignored;  // the writing below reports it
-  std::filesystem::create_directories(folder, ignored);
-  Writer writer(folder);
+  SceneWriter writer(folder, "colonnade");
   build_hall(writer, ColumnShape{});
   build_figures(writer);
-  Json scene{{"gibench_scene", 1},
-             {"name", "colonnade"},
-             {"description",
-              "Two rows of fluted columns joined by arches, draped figures between them, under sun and sky; "
-              "made by scenes/generators/."},
-             {"materials", materials()},
-             {"objects", writer.objects()}};
-  scene["lights"] = {{{"type", "directional"}, {"direction", {0.55, -0.75, -0.5}}, {"irradiance", {9.0, 8.2, 7.0}}},
-                     {{"type", "environment"}, {"radiance", {0.45, 0.6, 0.9}}}};
-  scene["cameras"] = {{{"name", "main"},
-                       {"position", {-8.6, 1.7, 0.5}},
-                       {"look_at", {0.0, 2.1, -0.3}},
-                       {"vertical_fov_degrees", 55.0},
-                       {"resolution", {320, 240}}},
-                      {{"name", "figure"},
-                       {"position", {1.6, 1.9, 1.2}},
-                       {"look_at", {0.0, 1.9, -1.15}},
-                       {"vertical_fov_degrees", 45.0},
-                       {"resolution", {256, 256}}}};
-  scene["exposure"] = {{"value", -1.0}, {"start", -4.0}, {"stop", 3.0}};
-  const std::filesystem::path file = folder / "colonnade.scene.json";
-  std::ofstream out(file);
-  out << scene.dump(2) << '\n';
-  out.close();
-  if (!out) throw InputError(file.string(), "cannot be written", "name a folder that can be written");
-  return writer.triangles();
+  Json rest{{"description",
+             "Two rows of fluted columns joined by arches, draped figures between them, under sun and sky; "
+             "made by scenes/generators/."},
+            {"materials", materials()}};
+  rest["lights"] = {{{"type", "directional"}, {"direction", {0.55, -0.75, -0.5}}, {"irradiance", {9.0, 8.2, 7.0}}},
+                    {{"type", "environment"}, {"radiance", {0.45, 0.6, 0.9}}}};
+  rest["cameras"] = {{{"name", "main"},
+                      {"position", {-8.6, 1.7, 0.5}},
+                      {"look_at", {0.0, 2.1, -0.3}},
+                      {"vertical_fov_degrees", 55.0},
+                      {"resolution", {320, 240}}},
+                     {{"name", "figure"},
+                      {"position", {1.6, 1.9, 1.2}},
+                      {"look_at", {0.0, 1.9, -1.15}},
+                      {"vertical_fov_degrees", 45.0},
+                      {"resolution", {256, 256}}}};
+  rest["exposure"] = {{"value", -1.0}, {"start", -4.0}, {"stop", 3.0}};
+  return writer.write(rest);
 }
 
 }  // namespace gibench::generators

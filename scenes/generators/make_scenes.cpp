@@ -4,6 +4,8 @@
 
 #include "common/core/error.h"
 #include "scenes/generators/colonnade.h"
+#include "scenes/generators/library.h"
+#include "scenes/generators/living_room.h"
 
 int main(int argument_count, char** arguments) {
   if (argument_count != 2) {
@@ -11,8 +13,9 @@ int main(int argument_count, char** arguments) {
     return 2;
   }
   try {
-    const std::size_t triangles = gibench::generators::write_colonnade(arguments[1]);
-    std::printf("colonnade: %zu triangles\n", triangles);
+    std::printf("colonnade: %zu triangles\n", gibench::generators::write_colonnade(arguments[1]));
+    std::printf("living-room: %zu triangles\n", gibench::generators::write_living_room(arguments[1]));
+    std::printf("library: %zu triangles\n", gibench::generators::write_library(arguments[1]));
     return 0;
   } catch (const gibench::InputError& error) {
     std::fprintf(stderr, "make_scenes: %s\n", error.what());

@@ -5,44 +5,16 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <utility>
 
 #include "common/core/error.h"
 #include "scenes/generators/colonnade.h"
 #include "scenes/generators/column.h"
 #include "scenes/generators/figure.h"
+#include "tests/scenes/mesh_facts.h"
 #include "tests/support/check_failed.h"
 
 namespace gibench::generators {
 namespace {
-
-struct MeshFacts {
-  std::size_t unmatched_edges = 0, degenerate_faces = 0;
-  double volume = 0.0;  ///< m³; positive where faces look outwards
-};
-
-MeshFacts facts_of(const Mesh& mesh) {
-  MeshFacts facts;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
-  for (const auto& face : mesh.faces) {
-    const std::size_t corners = face[3] == face[2] ? 3 : 4;
-    const Vec3d a = mesh.vertices[face[0]];
-    Vec3d doubled_area(0.0);
-    for (std::size_t i = 0; i < corners; ++i) ++directed[{face[i], face[(i + 1) % corners]}];
-    for (std::size_t i = 1; i + 1 < corners; ++i) {
-      const Vec3d b = mesh.vertices[face[i]], c = mesh.vertices[face[i + 1]];
-      doubled_area += glm::cross(b - a, c - a);
-      facts.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
-    }
-    if (!(glm::length(doubled_area) > 1e-9)) ++facts.degenerate_faces;
-  }
-  for (const auto& [edge, count] : directed) {
-    const auto back = directed.find({edge.second, edge.first});
-    if (count != 1 || back == directed.end() || back->second != 1) ++facts.unmatched_edges;
-  }
-  return facts;
-}
 
 void expect_closed(const Mesh& mesh, double least_volume, double most_volume) {
   const MeshFacts facts = facts_of(mesh);

@@ -13,7 +13,7 @@ namespace {
 /// The mean of samples [first, last) of each replicate: what a path tracer with that many samples would give.
 Reference sampled(std::uint64_t first, std::uint64_t last) {
   Reference reference = test::random_reference(test::image_question(), 1);
-  reference.samples_per_replica = last - first;
+  reference.samples_per_replica = reference.image_samples_per_replica = last - first;
   reference.seconds = 0.5 * static_cast<double>(last - first);
   std::uint64_t stage = 0;
   for (Replicas* set :
@@ -53,10 +53,21 @@ TEST(ReferenceMerge, ExtendedEqualsOneShot) {
   expect_near(extended.image.indirect, at_once.image.indirect);
 }
 
+TEST(ReferenceMerge, PicturesCountTheirOwnSamples) {
+  Reference extended = sampled(0, 16);
+  Reference more = sampled(16, 24);
+  more.image_samples_per_replica = 0;
+  merge(extended, more);
+  EXPECT_EQ(extended.samples_per_replica, 24U);
+  EXPECT_EQ(extended.image_samples_per_replica, 16U);
+  expect_near(extended.surface.indirect, sampled(0, 24).surface.indirect);
+  expect_near(extended.image.indirect, sampled(0, 16).image.indirect);
+}
+
 TEST(ReferenceMerge, NothingMoreChangesNothing) {
   Reference reference = sampled(0, 16);
   Reference nothing = reference;
-  nothing.samples_per_replica = 0;
+  nothing.samples_per_replica = nothing.image_samples_per_replica = 0;
   nothing.seconds = 0.0;
   merge(reference, nothing);
   EXPECT_EQ(reference.image.direct.replicas, sampled(0, 16).image.direct.replicas);

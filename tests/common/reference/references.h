@@ -21,6 +21,8 @@ inline Reference random_reference(const ReferenceQuestion& question, std::uint64
   Reference reference;
   reference.question = question;
   reference.samples_per_replica = 64;
+  reference.image_samples_per_replica = question.camera ? 32 : 0;
+  reference.points = 0x1234;
   reference.seconds = 1.25;
   const std::size_t pixels = question.camera ? static_cast<std::size_t>(question.camera->width * question.camera->height) : 0;
   reference.surface = {random_replicas(8, question.surface_samples, seed),

@@ -90,6 +90,19 @@ test("loads from disk without errors, warnings or requests that leave it", async
   await page.close();
 });
 
+test("the sentence on top and its table are of the error that is shown", async () => {
+  const { page, problems } = await open();
+  const sentence = () => page.locator("#glance .verdict").textContent();
+  const first = await sentence();
+  assert.match(first, /^(On (none of \d+ scenes? does a method reach|\d+ of \d+ scenes? a method reaches) its error in the indirect irradiance at the surface samples sooner|No run can be compared)/);
+  assert.ok((await page.locator("#glance tbody tr").count()) > 0);
+  await page.locator("#error-choice label:has(input[value=image])").click();
+  await page.waitForFunction((before) => document.querySelector("#glance .verdict").textContent !== before, first);
+  assert.match(await sentence(), /in the camera image|No run can be compared/);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
 test("the slider moves the border between two pictures, by keys and by dragging", async () => {
   const { page, problems, scene, stage } = await openViewer();
   const wipe = scene.locator("input.wipe");

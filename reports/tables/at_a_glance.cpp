@@ -1,0 +1,178 @@
+#include "reports/tables/at_a_glance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reports/tables/format.h"
+#include "reports/tables/table_columns.h"
+
+namespace gibench::report {
+namespace {
+
+ErrorKey key_at(ErrorKey key, Domain domain) {
+  key.domain = domain;
+  return key;
+}
+
+/// "3.4×", "≥ 3.4×", "3.4× * [2.1, 5.0]".
+std::string speed_text(const SpeedUp& speed) {
+  std::string text = (speed.at_least ? "≥ " : "") + factor(speed.factor) + (speed.extrapolated ? " *" : "");
+  if (!speed.at_least && speed.low && speed.high)
+    text += fmt::format(" [{}, {}]", significant(*speed.low), significant(*speed.high));
+  return text;
+}
+
+std::string count_text(double number) {
+  const double whole = std::max(1.0, std::ceil(number));
+  return whole < 1e15 ? large_count(static_cast<std::uint64_t>(whole)) : significant(whole);
+}
+
+Cell even_cell(const std::optional<BreakEven>& even) {
+  if (!even) return text_cell("");
+  if (!even->number) return {"never", "inf"};
+  return {(even->at_most ? "≤ " : "") + count_text(*even->number) + (even->extrapolated ? " *" : ""), exact(*even->number)};
+}
+
+std::string missing_text(const StudyRun& run) {
+  std::string text;
+  if (run.effects)
+    for (const Effect effect : run.effects->missing) text += (text.empty() ? "" : ", ") + std::string(to_string(effect));
+  return text.empty() ? "" : "lacks " + text;
+}
+
+std::string verdict_text(const GlanceRow& row) {
+  if (!row.speed_up) return "";
+  switch (verdict_of(*row.speed_up)) {
+    case Verdict::ahead: return "ahead";
+    case Verdict::behind: return "behind";
+    case Verdict::undecided: break;
+  }
+  return "undecided";
+}
+
+/// "a, b and c".
+std::string listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+/// The verdicts of one scene's configurations.
+struct SceneVerdicts {
+  const GlanceRow* best = nullptr;  ///< the surest among those ahead
+  int ahead = 0, behind = 0, undecided = 0;
+
+  void add(const GlanceRow& row) {
+    const Verdict verdict = verdict_of(*row.speed_up);
+    if (verdict == Verdict::ahead) {
+      ++ahead;
+      if (best == nullptr || sure_factor(row) > sure_factor(*best)) best = &row;
+    } else {
+      ++(verdict == Verdict::behind ? behind : undecided);
+    }
+  }
+  static double sure_factor(const GlanceRow& row) { return row.speed_up->low.value_or(row.speed_up->factor); }
+};
+
+std::string best_text(const Study& study, const GlanceRow& row) {
+  const SpeedUp& speed = *row.speed_up;
+  return fmt::format("{} on {} ({}{})", study.runs[row.run].label, study.scenes[row.scene].name,
+                     speed.at_least ? "at least " : "", factor(speed.factor));
+}
+
+/// "On 4 of 5 scenes a method reaches", "On none of 5 scenes does a method reach".
+std::string opening(std::size_t count, std::size_t of) {
+  const char* scenes = of == 1 ? "scene" : "scenes";
+  return count == 0 ? fmt::format("On none of {} {} does a method reach", of, scenes)
+                    : fmt::format("On {} of {} {} a method reaches", count, of, scenes);
+}
+
+}  // namespace
+
+Verdict verdict_of(const SpeedUp& speed) {
+  if (speed.at_least) return speed.factor > 1.0 ? Verdict::ahead : Verdict::undecided;
+  if (speed.low.value_or(speed.factor) > 1.0) return Verdict::ahead;
+  return speed.high.value_or(speed.factor) < 1.0 ? Verdict::behind : Verdict::undecided;
+}
+
+std::optional<BreakEven> break_even(const StudyRun& run, const std::optional<SpeedUp>& speed, Domain domain, double asked) {
+  const auto all = run.transport_seconds(domain), shading = run.shade_seconds(domain);
+  if (!speed || !all || !shading || !(asked > 0.0)) return std::nullopt;
+  const double once = *all - *shading, each = *shading / asked, path_tracing_each = speed->factor * *all / asked;
+  BreakEven even{{}, speed->at_least, speed->extrapolated};
+  if (path_tracing_each > each) even.number = once / (path_tracing_each - each);
+  return even;
+}
+
+std::vector<GlanceRow> glance_rows(const Study& study, const ErrorKey& key) {
+  std::vector<GlanceRow> rows;
+  for (std::size_t s = 0; s < study.scenes.size(); ++s) {
+    const std::string& scene = study.scenes[s].name;
+    SpeedUps shown(study, scene, key), at_points(study, scene, key_at(key, Domain::surface)),
+        in_pictures(study, scene, key_at(key, Domain::image));
+    const auto first = static_cast<std::ptrdiff_t>(rows.size());
+    for (const std::size_t position : study.runs_of(scene)) {
+      const StudyRun& run = study.runs[position];
+      if (run.method == baseline_method || run.status != RunStatus::done || run.error(key) == nullptr) continue;
+      rows.push_back({s, position, shown.of(run),
+                      break_even(run, at_points.of(run), Domain::surface, static_cast<double>(run.surface_samples)),
+                      break_even(run, in_pictures.of(run), Domain::image, 1.0)});
+    }
+    std::stable_sort(rows.begin() + first, rows.end(), [](const GlanceRow& a, const GlanceRow& b) {
+      const auto order = [](const GlanceRow& row) { return row.speed_up ? row.speed_up->factor : 0.0; };
+      return order(a) > order(b);
+    });
+  }
+  return rows;
+}
+
+Table glance_table(const Study& study, const ErrorKey& key, const std::vector<GlanceRow>& rows) {
+  const Metric metric = metric_info(key.metric);
+  const auto run_of = [&study](const GlanceRow& row) -> const StudyRun& { return study.runs[row.run]; };
+  const auto speed_cell = [](const GlanceRow& row) {
+    return row.speed_up ? Cell{speed_text(*row.speed_up), exact(row.speed_up->factor)} : text_cell("");
+  };
+  Columns<GlanceRow> columns;
+  columns.text("scene", "scene", [&study](const GlanceRow& row) { return study.scenes[row.scene].name; })
+      .text("method", "method", [run_of](const GlanceRow& row) { return run_of(row).method; })
+      .text("run", "run", [run_of](const GlanceRow& row) { return run_of(row).label; })
+      .error(metric.title, metric.name, metric, [run_of, key](const GlanceRow& row) { return run_of(row).error(key); })
+      .seconds("time", "seconds", [run_of, key](const GlanceRow& row) { return run_of(row).transport_seconds(key.domain); })
+      .bytes("memory", "method_bytes", [run_of](const GlanceRow& row) { return run_of(row).method_bytes; })
+      .cells({"over path tracing", "speed_up"}, speed_cell)
+      .text("", "verdict", verdict_text)
+      .cells({"pays from points", "pays_from_points"}, [](const GlanceRow& row) { return even_cell(row.points); })
+      .cells({"pays from pictures", "pays_from_pictures"}, [](const GlanceRow& row) { return even_cell(row.pictures); })
+      .text("light paths", "lacks", [run_of](const GlanceRow& row) { return missing_text(run_of(row)); });
+  return columns.table(
+      "at-a-glance",
+      fmt::format(
+          "What each configuration costs and gets right: {} of {}, its time, how many times the path tracer's time for the "
+          "same error that is, and from how many points or pictures under the same lights it is cheaper.",
+          metric.title, describe(key)),
+      rows);
+}
+
+std::string glance_sentence(const Study& study, const ErrorKey& key, const std::vector<GlanceRow>& rows) {
+  std::map<std::size_t, SceneVerdicts> scenes;
+  for (const GlanceRow& row : rows)
+    if (row.speed_up) scenes[row.scene].add(row);
+  if (scenes.empty()) return "No run can be compared with path tracing.";
+  std::vector<std::string> ahead, behind, undecided;
+  for (const auto& [scene, verdicts] : scenes) {
+    if (verdicts.best != nullptr) ahead.push_back(best_text(study, *verdicts.best));
+    else (verdicts.undecided > 0 ? undecided : behind).push_back(study.scenes[scene].name);
+  }
+  std::string text =
+      fmt::format("{} its error in the {} sooner than path tracing would", opening(ahead.size(), scenes.size()), describe(key));
+  if (!ahead.empty()) text += ": " + listed(ahead);
+  text += ".";
+  if (!behind.empty()) text += fmt::format(" Path tracing is ahead of all of them on {}.", listed(behind));
+  if (!undecided.empty()) text += fmt::format(" The intervals leave it open on {}.", listed(undecided));
+  return text;
+}
+
+}  // namespace gibench::report
