@@ -16,9 +16,11 @@ namespace {
 
 // Pairs of dimensions of sample i: a direction and its lobe, then a place and a choice for each group of lights.
 constexpr std::uint32_t hemisphere = 0, lobe_choice = 1, first_of_groups = 2;
-constexpr std::size_t batch = 64;                // rays traced together, and points at most whose rays they are
-constexpr std::size_t most_visited = 64;         // punctual lights that are each given a ray
-constexpr std::size_t most_looked_through = 64;  // emitting triangles that are each tested against a ray
+constexpr std::uint32_t trial = 0x747279U;           // whether small light is tried, an independent number
+constexpr std::uint32_t first_punctual = 1U << 31U;  // number of a light that is visited, beside those of samples
+constexpr std::size_t batch = 64;                    // rays traced together, and points at most whose rays they are
+constexpr std::size_t most_visited = 64;             // punctual lights that are each given a ray
+constexpr std::size_t most_looked_through = 64;      // emitting triangles that are each tested against a ray
 
 /// A surface point that light is gathered at, with the lobe that weighs it.
 struct Receiver {
@@ -39,19 +41,25 @@ struct Arrived {
 /// Light on its way to surface points, held back until its shadow rays are traced together.
 class PendingLight {
  public:
-  PendingLight(const NextEvent& next_event, bool tests_visibility, RayStream& rays)
-      : next_event_(next_event), tests_visibility_(tests_visibility), rays_(rays) {}
+  PendingLight(const NextEvent& next_event, bool tests_visibility, float small_light, RayStream& rays)
+      : next_event_(next_event), tests_visibility_(tests_visibility), small_light_(small_light), rays_(rays) {}
 
-  void add(const Receiver& receiver, const LightSample& light, Rgb& sum) {
+  /// `number`: of the light sample, at its receiver.
+  void add(const Receiver& receiver, const LightSample& light, std::uint32_t number, Rgb& sum) {
     if (!(light.pdf > 0.0F)) return;
     const Vec3 in = receiver.frame.to_local(light.direction);
     const BsdfValue value = receiver.bsdf.evaluate(receiver.out, in);
-    const Rgb contribution = value.value * light.radiance * (in.z / light.pdf);
+    Rgb contribution = value.value * light.radiance * (in.z / light.pdf);
     if (is_black(contribution)) return;
+    contribution *= next_event_.weight(light, value.pdf);
+    if (const float size = largest(contribution); tests_visibility_ && size < small_light_) {
+      if (receiver.random.independent_pair(number, trial).unit().x * small_light_ >= size) return;
+      contribution *= small_light_ / size;
+    }
     if (count_ == batch) trace();
     shadow_rays_[count_] = light.shadow_ray(receiver.origin);
     sums_[count_] = &sum;
-    contributions_[count_++] = contribution * next_event_.weight(light, value.pdf);
+    contributions_[count_++] = contribution;
   }
   void trace() {
     std::array<std::uint8_t, batch> occluded{};
@@ -64,6 +72,7 @@ class PendingLight {
  private:
   const NextEvent& next_event_;
   bool tests_visibility_;
+  float small_light_;
   RayStream& rays_;
   std::array<Ray, batch> shadow_rays_;
   std::array<Rgb, batch> contributions_;
@@ -142,7 +151,6 @@ struct DirectLight::Impl {
   DirectLightOptions options;
   bool visits_punctual;
   SceneLights lights;
-  NextEvent next_event{lights, 1.0F};
   std::vector<SurfaceBsdf> bsdfs;  ///< one for each material
   SurfaceBsdf sensor = SurfaceBsdf::diffuse(Rgb(pi));
 
@@ -166,16 +174,20 @@ struct DirectLight::Impl {
   const SurfaceBsdf& bsdf_of(const SurfaceSample& sample) const { return bsdfs[world.scene().objects[sample.object].material]; }
 
   /// Has all rays of a point traced, in company.
-  void gather(const Receiver& receiver, std::uint32_t samples, PendingLight& light, PendingDirections& directions,
-              Arrived& arrived) const {
+  void gather(const Receiver& receiver, std::uint32_t samples, float hemisphere_share, PendingLight& light,
+              PendingDirections& directions, Arrived& arrived) const {
     for (std::uint32_t i = 0; i < samples; ++i) {
       if (!receiver.bsdf.is_delta())
-        for (const LightGroup group : lights.groups()) light.add(receiver, sample_light(receiver, group, i), arrived.by_lights);
-      if (lights.can_be_hit()) directions.add(receiver, i, arrived.by_hemisphere);
+        for (const LightGroup group : lights.groups())
+          light.add(receiver, sample_light(receiver, group, i), i * most_light_groups + static_cast<std::uint32_t>(group),
+                    arrived.by_lights);
+      if (lights.can_be_hit() && (hemisphere_share >= 1.0F || receiver.random.pair(i, lobe_choice).unit().y < hemisphere_share))
+        directions.add(receiver, i, arrived.by_hemisphere);
     }
     if (!visits_punctual || receiver.bsdf.is_delta()) return;
     for (std::size_t i = 0; i < lights.punctual_count(); ++i)
-      light.add(receiver, lights.punctual(i, receiver.sample.position), arrived.by_punctual);
+      light.add(receiver, lights.punctual(i, receiver.sample.position), first_punctual + static_cast<std::uint32_t>(i),
+                arrived.by_punctual);
   }
   LightSample sample_light(const Receiver& receiver, LightGroup group, std::uint32_t i) const {
     const std::uint32_t place = first_of_groups + 2U * static_cast<std::uint32_t>(group);
@@ -185,33 +197,36 @@ struct DirectLight::Impl {
 
   /// Light that points reflect, block by block: `receiver_at(i)` is the i-th point's, nothing where it gets no light.
   template <class ReceiverAt>
-  void gather_all(std::size_t points, const ReceiverAt& receiver_at, int samples, RayStream& rays, std::span<Rgb> out) const {
+  void gather_all(std::size_t points, const ReceiverAt& receiver_at, int samples, const RaySavings& savings, RayStream& rays,
+                  std::span<Rgb> out) const {
     const auto each = static_cast<std::uint32_t>(std::max(1, samples));
-    PendingLight light(next_event, options.tests_visibility, rays);
+    const NextEvent next_event(lights, 1.0F / savings.hemisphere_share);
+    PendingLight light(next_event, options.tests_visibility, savings.small_light, rays);
     PendingDirections directions(world, lights, next_event, options, rays);
     for (std::size_t begin = 0; begin < points; begin += batch) {
       const std::size_t end = std::min(points, begin + batch);
       std::array<Arrived, batch> arrived{};
       for (std::size_t i = begin; i < end; ++i)
         if (const std::optional<Receiver> receiver = receiver_at(i))
-          gather(*receiver, each, light, directions, arrived[i - begin]);
+          gather(*receiver, each, savings.hemisphere_share, light, directions, arrived[i - begin]);
       light.trace();
       directions.trace();
       for (std::size_t i = begin; i < end; ++i) {
         const Arrived& sums = arrived[i - begin];
-        out[i] = (sums.by_lights + sums.by_hemisphere) * (1.0F / static_cast<float>(each)) + sums.by_punctual;
+        out[i] = (sums.by_lights + sums.by_hemisphere * (1.0F / savings.hemisphere_share)) * (1.0F / static_cast<float>(each)) +
+                 sums.by_punctual;
       }
     }
   }
 
-  void irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples, RayStream& rays,
-                  std::span<Rgb> out) const {
+  void irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples,
+                  const RaySavings& savings, RayStream& rays, std::span<Rgb> out) const {
     const auto receiver_at = [&](std::size_t i) -> std::optional<Receiver> {
       const SurfaceSample& point = points[i];
       if (!point.lit_side || lights.empty()) return std::nullopt;
       return Receiver{sensor, point, Frame(point.normal), world.ray_origin(point), {0.0F, 0.0F, 1.0F}, SobolSequence(keys[i])};
     };
-    gather_all(points.size(), receiver_at, samples, rays, out);
+    gather_all(points.size(), receiver_at, samples, savings, rays, out);
   }
   void radiance(std::span<const SurfaceSample> points, std::span<const Vec3> toward_viewer, std::span<const std::uint64_t> keys,
                 int samples, RayStream& rays, std::span<Rgb> out) const {
@@ -225,7 +240,7 @@ struct DirectLight::Impl {
       return Receiver{bsdf_of(point),        point, frame, world.ray_origin(point), frame.to_local(toward_viewer[i]),
                       SobolSequence(keys[i])};
     };
-    gather_all(points.size(), receiver_at, samples, rays, out);
+    gather_all(points.size(), receiver_at, samples, {}, rays, out);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (is_seen(i)) out[i] += emission(points[i]);
   }
@@ -244,9 +259,11 @@ bool DirectLight::dark() const { return impl_->lights.empty(); }
 const DirectLightOptions& DirectLight::options() const { return impl_->options; }
 
 void DirectLight::irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples,
-                             RayStream& rays, std::span<Rgb> out) const {
+                             RayStream& rays, std::span<Rgb> out, const RaySavings& savings) const {
   GIBENCH_CHECK(keys.size() == points.size() && out.size() == points.size(), "one key and one value for each point");
-  impl_->irradiance(points, keys, samples, rays, out);
+  GIBENCH_CHECK(savings.hemisphere_share > 0.0F && savings.hemisphere_share <= 1.0F,
+                "a hemisphere sample for each light sample at most");
+  impl_->irradiance(points, keys, samples, savings, rays, out);
 }
 
 void DirectLight::radiance(std::span<const SurfaceSample> points, std::span<const Vec3> toward_viewer,
@@ -258,7 +275,7 @@ void DirectLight::radiance(std::span<const SurfaceSample> points, std::span<cons
 
 Rgb DirectLight::irradiance(const SurfaceSample& sample, std::uint64_t key, int samples, RayStream& rays) const {
   Rgb out;
-  impl_->irradiance({&sample, 1}, {&key, 1}, samples, rays, {&out, 1});
+  impl_->irradiance({&sample, 1}, {&key, 1}, samples, {}, rays, {&out, 1});
   return out;
 }
 

@@ -19,6 +19,12 @@ struct DirectLightOptions {
   bool glossy = true;             ///< false: surfaces reflect with their diffuse lobe alone
 };
 
+/// Rays that are saved where the light of many points is averaged, as over the hits of a gather. The expectation stays.
+struct RaySavings {
+  float hemisphere_share = 1.0F;  ///< hemisphere samples for each light sample, (0, 1]; those taken count for the others, too
+  float small_light = 0.0F;  ///< W/m²: what would bring less unhidden is tried by chance, in proportion, and brings that much
+};
+
 /// Immutable after construction, shared by all threads. Keeps references to neither argument but the World.
 class DirectLight {
  public:
@@ -46,7 +52,7 @@ class DirectLight {
   /// Both at many points, each with a key: the values of the single calls up to the rounding of hits, the rays of neighbouring
   /// points in the same packets. The way to go where a point has few samples. All spans are of one length.
   void irradiance(std::span<const SurfaceSample> points, std::span<const std::uint64_t> keys, int samples, RayStream& rays,
-                  std::span<Rgb> out) const;
+                  std::span<Rgb> out, const RaySavings& savings = {}) const;
   void radiance(std::span<const SurfaceSample> points, std::span<const Vec3> toward_viewer, std::span<const std::uint64_t> keys,
                 int samples, RayStream& rays, std::span<Rgb> out) const;
 

@@ -24,7 +24,7 @@ std::vector<double> coarsest_shares(const World& world, const Groups& groups, co
   std::vector<Part> parts(chunk_count(looks.size(), look_chunk));
   task.parallel_chunks(looks.size(), look_chunk, [&](const ChunkRange& range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const Place at{looks[i].position, looks[i].normal, groups.of_triangle[looks[i].triangle]};
+      const Place at{looks[i].position, looks[i].normal, groups.of(looks[i])};
       float sum = 0.0F;
       const std::size_t first = parts[range.chunk].size();
       hierarchy.visit_covering(0, at, [&](std::uint32_t point, float weight) {

@@ -36,9 +36,9 @@ Crossings find_crossings(const World& world, const Groups& groups, const Expansi
       const SurfaceSample& sample = samples[i * step];
       if (!sample.lit_side) continue;
       bool crossed = false;
-      expansion.visit_finest(
-          {sample.position, sample.normal, groups.of_triangle[sample.triangle]},
-          [&](const Vec3& position, const Vec3& normal) { crossed = crossed || hidden(world, sample, position, normal, rays); });
+      expansion.visit_finest({sample.position, sample.normal, groups.of(sample)}, [&](const Vec3& position, const Vec3& normal) {
+        crossed = crossed || hidden(world, sample, position, normal, rays);
+      });
       ++chunks[range.chunk].tried;
       chunks[range.chunk].crossed += crossed ? 1U : 0U;
     }

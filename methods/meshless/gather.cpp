@@ -16,6 +16,8 @@ namespace gibench::meshless {
 namespace {
 
 constexpr std::size_t parts = 4;  // of a pattern, to judge the deviation from
+constexpr std::size_t bin_rays = 8;
+constexpr float shortest_distance = 1e-4F;  // of the diagonal: what is nearer counts as being so far away
 constexpr std::uint64_t turn_stage = 0x7475726eULL;
 constexpr std::uint64_t direct_stage = 0x6869742064697265ULL;
 
@@ -36,7 +38,7 @@ Estimate estimate_of(const std::array<RgbDouble, parts>& sums, std::size_t rays)
     variance = std::max(variance, squares * parts / (parts - 1));
   }
   const auto count = static_cast<double>(rays);
-  return {Rgb(total / count), static_cast<float>(std::sqrt(variance) / count)};
+  return {Rgb(total / count), static_cast<float>(std::sqrt(variance) / count), 0.0F};
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ void BasisSender::irradiance(std::span<const SurfaceSample> hits, const Vec3& re
                              std::span<Rgb> values, SenderCounts& counts) const {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const SurfaceSample& hit = hits[i];
-    const Place at{hit.position, hit.normal, groups_.of_triangle[hit.triangle]};
+    const Place at{hit.position, hit.normal, groups_.of(hit)};
     const std::uint64_t before = counts.levels_used;
     values[i] = expansion_.evaluate_seen(at, receiver, epsilon_omega_, counts.levels_used);
     if (counts.levels_used == before && !hierarchy_.covered(at)) ++counts.uncovered;
@@ -56,7 +58,15 @@ void DirectSender::irradiance(std::span<const SurfaceSample> hits, const Vec3&, 
                               std::span<Rgb> values, SenderCounts&) const {
   std::vector<std::uint64_t> keys(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) keys[i] = mix_keys(key, direct_stage, i);
-  light_.irradiance(hits, keys, samples_, rays, values);
+  light_.irradiance(hits, keys, samples_, rays, values, savings_);
+}
+
+void BothSenders::irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
+                             std::span<Rgb> values, SenderCounts& counts) const {
+  first_.irradiance(hits, receiver, key, rays, values, counts);
+  std::vector<Rgb> more(values.size());
+  second_.irradiance(hits, receiver, key, rays, more, counts);
+  for (std::size_t i = 0; i < more.size(); ++i) values[i] += more[i];
 }
 
 Gatherer::Gatherer(const World& world, int rays) : world_(world) {
@@ -94,6 +104,35 @@ Estimate Gatherer::irradiance(const SurfaceSample& receiver, std::uint64_t key, 
   std::array<RgbDouble, parts> sums;
   for (std::size_t i = 0; i < buffers.lit.size(); ++i)
     sums[buffers.ray_of_lit[i] % parts] += RgbDouble(buffers.albedos[i] * buffers.values[i]);
+  Estimate made = estimate_of(sums, pattern_.size());
+  made.slope = slope(buffers, buffers.bins);
+  return made;
+}
+
+/// Directions are taken together in bins of neighbours, so that the noise of single hits does not count as unlikeness.
+float Gatherer::slope(const GatherBuffers& buffers, GatherBuffers::Bins& bins) const {
+  const std::size_t count = (pattern_.size() + bin_rays - 1) / bin_rays;
+  bins.light.assign(count, 0.0F);
+  bins.nearness.assign(count, 0.0F);
+  const float shortest = std::max(buffers.reach, shortest_distance * world_.diagonal());
+  for (std::size_t i = 0; i < buffers.hits.size(); ++i)
+    if (buffers.hits[i]) bins.nearness[i / bin_rays] += 1.0F / std::max(shortest, buffers.hits[i].distance);
+  for (std::size_t i = 0; i < buffers.lit.size(); ++i) {
+    const Rgb light = buffers.albedos[i] * buffers.values[i];
+    bins.light[buffers.ray_of_lit[i] / bin_rays] += (light.r + light.g + light.b) / 3.0F;
+  }
+  float mean = 0.0F, sum = 0.0F;
+  for (const float light : bins.light) mean += light / static_cast<float>(pattern_.size());
+  for (std::size_t bin = 0; bin < count; ++bin) {
+    const auto rays = static_cast<float>(std::min(bin_rays, pattern_.size() - bin * bin_rays));
+    sum += std::fabs(bins.light[bin] - rays * mean) * bins.nearness[bin] / rays;
+  }
+  return sum / static_cast<float>(pattern_.size());
+}
+
+Estimate Gatherer::reflectance(const GatherBuffers& buffers) const {
+  std::array<RgbDouble, parts> sums;
+  for (std::size_t i = 0; i < buffers.lit.size(); ++i) sums[buffers.ray_of_lit[i] % parts] += RgbDouble(buffers.albedos[i]);
   return estimate_of(sums, pattern_.size());
 }
 

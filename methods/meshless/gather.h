@@ -51,13 +51,27 @@ class BasisSender : public Sender {
 /// Light straight from the lights, evaluated at every hit by the shared evaluator.
 class DirectSender : public Sender {
  public:
-  DirectSender(const DirectLight& light, int samples) : light_(light), samples_(samples) {}
+  /// See DirectLight::irradiance.
+  DirectSender(const DirectLight& light, int samples, const RaySavings& savings)
+      : light_(light), samples_(samples), savings_(savings) {}
   void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
                   std::span<Rgb> values, SenderCounts& counts) const override;
 
  private:
   const DirectLight& light_;
   int samples_;
+  RaySavings savings_;
+};
+
+/// Two senders at once: the sum of what they send.
+class BothSenders : public Sender {
+ public:
+  BothSenders(const Sender& first, const Sender& second) : first_(first), second_(second) {}
+  void irradiance(std::span<const SurfaceSample> hits, const Vec3& receiver, std::uint64_t key, RayStream& rays,
+                  std::span<Rgb> values, SenderCounts& counts) const override;
+
+ private:
+  const Sender &first_, &second_;
 };
 
 /// Rays and buffers of one thread's gathers; made per chunk of a loop.
@@ -67,6 +81,11 @@ struct GatherBuffers {
   std::vector<SurfaceSample> lit;
   std::vector<std::uint32_t> ray_of_lit;
   std::vector<Rgb> albedos, values;
+  /// Sums over neighbouring rays.
+  struct Bins {
+    std::vector<float> light, nearness;
+  } bins;
+  float reach = 0.0F;  ///< metres: the slope is wanted over so far, and what is nearer counts as so far away
   SenderCounts counts;
   std::uint64_t evaluations = 0;
 };
@@ -75,6 +94,7 @@ struct GatherBuffers {
 struct Estimate {
   Rgb value;
   float deviation = 0.0F;  ///< standard deviation of the largest channel's estimate
+  float slope = 0.0F;      ///< that what is near and unlike the rest may cause, W/m² per metre; 0: not known
 };
 
 class Gatherer {
@@ -84,13 +104,19 @@ class Gatherer {
 
   /// Irradiance at a sample from light reflected by the surfaces that its rays hit, W/m²: Σ albedo · E(hit) / rays.
   /// The pattern is turned about the normal by an angle drawn from `key`; the albedo is that of the hit itself.
-  /// The deviation is judged from four interleaved parts of the pattern, which makes it too large rather than too small.
+  /// The deviation is judged from four interleaved parts of the pattern, which makes it too large rather than too small. The
+  /// slope is Σ |L − mean of L| / distance over the directions, L being what a direction brings.
   Estimate irradiance(const SurfaceSample& receiver, std::uint64_t key, const Sender& sender, RayStream& rays,
                       GatherBuffers& buffers) const;
 
+  /// What the rays of the last gather would have brought with an irradiance of 1 at every hit: Σ albedo / rays.
+  Estimate reflectance(const GatherBuffers& buffers) const;
+
+  std::size_t rays() const { return pattern_.size(); }
   std::size_t bytes() const { return pattern_.capacity() * sizeof(Vec3); }
 
  private:
+  float slope(const GatherBuffers& buffers, GatherBuffers::Bins& bins) const;
   void trace(const SurfaceSample& receiver, std::uint64_t key, RayStream& rays, GatherBuffers& buffers) const;
   void collect_lit_hits(GatherBuffers& buffers) const;
 

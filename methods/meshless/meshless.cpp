@@ -66,7 +66,7 @@ class Meshless : public TransportMethod {
       return;
     }
     const Settings settings = planned_settings();
-    transport_.groups = make_groups(world, settings.grouping);
+    transport_.groups = make_groups(world, settings, task);
     Placement placement = place_points(world, transport_.groups, settings, task);
     if (!placement.refusal.empty()) {
       report.termination = Termination::out_of_budget;
@@ -129,11 +129,20 @@ class Meshless : public TransportMethod {
   }
   bool needs_points() const { return simulates_indirect() || settings_.direct == DirectAnswer::basis; }
 
+  /// In one convex room light reaches everything.
+  Groups make_groups(const World& world, const Settings& settings, Task& task) const {
+    if (is_one_convex_room() || settings.grouping == Grouping::objects) return meshless::make_groups(world, settings.grouping);
+    const SideLight light(world, task);
+    return meshless::make_groups(world, settings.grouping, &light);
+  }
+  bool is_one_convex_room() const {
+    return plan_.limits && plan_.arrangement != Arrangement::general && !plan_.simulates(Effect::occlusion);
+  }
+
   /// In one convex room no point lies inside geometry: nothing is behind another's front.
   Settings planned_settings() const {
     Settings settings = settings_;
-    if (plan_.limits && plan_.arrangement != Arrangement::general && !plan_.simulates(Effect::occlusion))
-      settings.backface_test = false;
+    if (is_one_convex_room()) settings.backface_test = false;
     return settings;
   }
 
@@ -152,9 +161,7 @@ class Meshless : public TransportMethod {
     return clear;
   }
 
-  Place place_of(const SurfaceSample& sample) const {
-    return {sample.position, sample.normal, transport_.groups.of_triangle[sample.triangle]};
-  }
+  Place place_of(const SurfaceSample& sample) const { return {sample.position, sample.normal, transport_.groups.of(sample)}; }
 
   void count_crossings(std::span<const SurfaceSample> samples, Task& task) const {
     const Expansion& expansion = solution_.indirect ? *solution_.indirect : *solution_.direct;

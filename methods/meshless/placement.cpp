@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/core/random.h"
 #include "common/finite_elements/inside_geometry.h"
@@ -17,6 +18,8 @@ namespace {
 constexpr std::uint64_t placement_stage = 0x706c616365ULL;
 constexpr std::size_t ray_chunk = 1024;    // rays
 constexpr double expected_density = 0.65;  // samples per squared radius of area, near saturation
+constexpr std::size_t look_chunk = 16;     // points
+constexpr int looks = 32;                  // rays, for the distance of what a point sees
 constexpr int radius_rounds = 5;           // at most, to meet the wanted number of coarsest samples
 constexpr double radius_tolerance = 0.03;  // of that number
 constexpr int most_placement_rays = 4;     // of the backface test of a proposal; the next one near by is tested anew
@@ -33,7 +36,7 @@ Vec3 test_direction(int index) {
 std::vector<std::vector<SurfaceSide>> sides_of_groups(const World& world, const Groups& groups) {
   const std::vector<std::uint8_t> every_object(world.scene().objects.size(), 1);
   std::vector<std::vector<SurfaceSide>> sides(groups.count);
-  for (const SurfaceSide& side : lit_sides(world, every_object)) sides[groups.of_triangle[side.triangle]].push_back(side);
+  for (const SurfaceSide& side : lit_sides(world, every_object)) sides[groups.of(side.triangle, side.front)].push_back(side);
   return sides;
 }
 
@@ -84,24 +87,63 @@ std::size_t count_of(const std::vector<std::vector<DiscPoint>>& level) {
   return count;
 }
 
+double area_of(const World& world, const std::vector<std::vector<SurfaceSide>>& sides) {
+  double area = 0.0;
+  for (const std::vector<SurfaceSide>& group : sides)
+    for (const SurfaceSide& side : group) area += static_cast<double>(world.area(side.triangle));
+  return area;
+}
+
 /// A first guess at the initial radius: as set, or by the area.
 double guessed_radius(const World& world, double area, const Settings& settings) {
   if (settings.initial_radius > 0.0) return settings.initial_radius * static_cast<double>(world.diagonal());
   return std::sqrt(expected_density * area / settings.coarsest_samples);
 }
 
-/// As guessed, or such that about the wanted number of coarsest samples results.
-double initial_radius(const World& world, const std::vector<std::vector<SurfaceSide>>& sides, const Settings& settings,
-                      Task& task) {
-  double radius = guessed_radius(world, world.total_area(), settings);
+/// Median over points of the harmonic mean distance of what they see, metres; infinite where most see nothing.
+double typical_distance(const World& world, const std::vector<std::vector<DiscPoint>>& level, Task& task) {
+  std::vector<DiscPoint> points;
+  for (const std::vector<DiscPoint>& group : level) points.insert(points.end(), group.begin(), group.end());
+  std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
+  task.parallel_chunks(points.size(), look_chunk, [&](const ChunkRange& range) {
+    RayStream stream = task.rays(world);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const DiscPoint& point = points[i];
+      const Vec3 origin = world.ray_origin(surface_sample(world, point.side.triangle, point.position, point.normal));
+      const Frame frame = frame_along_edge(world, point.side.triangle, point.normal);
+      double inverse = 0.0;
+      for (int ray = 0; ray < looks; ++ray)
+        if (const Hit hit = stream.closest_hit({origin, 0.0F, frame.to_world(test_direction(ray))}); hit && hit.distance > 0.0F)
+          inverse += 1.0 / static_cast<double>(hit.distance);
+      if (inverse > 0.0) distances[i] = looks / inverse;
+    }
+  });
+  if (distances.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// As guessed, or such that about the wanted number of coarsest samples results where light reaches; smaller where surfaces see
+/// others that are near in comparison.
+double initial_radius(const World& world, const Groups& groups, const std::vector<std::vector<SurfaceSide>>& all_sides,
+                      const Settings& settings, Task& task) {
+  std::vector<std::vector<SurfaceSide>> sides;
+  for (std::size_t group = 0; group < all_sides.size(); ++group)
+    if (groups.sealed[group] == 0) sides.push_back(all_sides[group]);
+  double radius = guessed_radius(world, area_of(world, sides), settings);
   if (settings.initial_radius > 0.0) return radius;
   const double wanted = settings.coarsest_samples;
+  std::vector<std::vector<DiscPoint>> level;
   for (int round = 0; round < radius_rounds && !task.cancelled(); ++round) {
-    const auto placed = static_cast<double>(count_of(GroupSamplers(world, sides, settings, task).add_level(radius)));
+    level = GroupSamplers(world, sides, settings, task).add_level(radius);
+    const auto placed = static_cast<double>(count_of(level));
     if (placed < 1.0 || std::fabs(placed - wanted) <= radius_tolerance * wanted) break;
     radius *= std::sqrt(placed / wanted);
   }
-  return radius;
+  if (!(settings.feature_radius > 0.0) || !(settings.most_coarsest > settings.coarsest_samples)) return radius;
+  const double by_features = settings.feature_radius * typical_distance(world, level, task);
+  return std::clamp(by_features, radius * std::sqrt(wanted / settings.most_coarsest), radius);
 }
 
 /// Empty where the points of all levels that the settings ask for are not too many.
@@ -113,13 +155,6 @@ std::string refusal_of(const World& world, double area, const Settings& settings
                      settings.initial_radius > 0.0 ? fmt::format("initial_radius={}", settings.initial_radius)
                                                    : fmt::format("coarsest_samples={}", settings.coarsest_samples),
                      points, most_points, settings.initial_radius > 0.0 ? "raise initial_radius" : "coarsest_samples");
-}
-
-double area_of(const World& world, const std::vector<std::vector<SurfaceSide>>& sides) {
-  double area = 0.0;
-  for (const std::vector<SurfaceSide>& group : sides)
-    for (const SurfaceSide& side : group) area += static_cast<double>(world.area(side.triangle));
-  return area;
 }
 
 }  // namespace
@@ -152,7 +187,7 @@ Placement place_points(const World& world, const Groups& groups, const Settings&
   Placement placement;
   placement.refusal = refusal_of(world, area_of(world, sides), settings);
   if (!placement.refusal.empty()) return placement;
-  placement.radius = initial_radius(world, sides, settings, task);
+  placement.radius = initial_radius(world, groups, sides, settings, task);
   GroupSamplers samplers(world, sides, settings, task);
   double radius = placement.radius;
   for (int level = 0; level < settings.levels && !task.cancelled(); ++level, radius *= 0.5) {

@@ -28,7 +28,8 @@ class Refinement {
         point_values_(hierarchy, rule.channels),
         coefficients_(hierarchy, rule.channels),
         asked_(hierarchy.size(), 0),
-        deviation_(hierarchy.size(), 0.0F) {}
+        deviation_(hierarchy.size(), 0.0F),
+        spread_(hierarchy.size(), 0.0F) {}
 
   void set_threshold() {
     const double own = channel_mean(coarsest_mean(point_values_));
@@ -36,6 +37,7 @@ class Refinement {
     const double ratio = rule_.previous_mean > 0.0 ? std::clamp(own / rule_.previous_mean, 0.0, slowest_fading) : 0.0;
     double term = own * ratio;
     for (int left = rule_.terms_left; left > 0 && term > reference * negligible_term; --left, term *= ratio) reference += term;
+    if (rule_.threshold_mean == ThresholdMean::irradiance && own > 0.0) reference *= weighted_mean() / own;
     threshold_ = static_cast<float>(rule_.epsilon_e * reference);
   }
 
@@ -55,6 +57,7 @@ class Refinement {
       values.push_back(estimates[i].value);
       point_values_.set(points[i], estimates[i].value);
       deviation_[points[i]] = estimates[i].deviation;
+      spread_[points[i]] = static_cast<float>(rule_.proximity) * hierarchy_.radius(points[i]) * estimates[i].slope;
     }
     auto begin = points.begin();
     for (std::uint32_t level = 0; level < hierarchy_.levels() && begin != points.end(); ++level) {
@@ -126,20 +129,37 @@ class Refinement {
   /// What RECEIVER-ORACLE says of a difference.
   enum class Detail { none, undecided, found };
 
+  /// ΣE² / ΣE over the surfaces, of the mean of the channels.
+  double weighted_mean() const {
+    double sum = 0.0, squares = 0.0;
+    for (std::uint32_t point = 0; point < hierarchy_.level_size(0); ++point) {
+      const double value = channel_mean(RgbDouble(point_values_[point])), share = hierarchy_.coarsest_share(point);
+      sum += share * value;
+      squares += share * value * value;
+    }
+    return sum > 0.0 ? squares / sum : 0.0;
+  }
+
+  float threshold_at(std::uint32_t point) const {
+    return threshold_ * static_cast<float>(std::pow(rule_.level_growth, hierarchy_.level_of(point)));
+  }
+
   /// Of all that it is compared with, the most that is said.
   Detail detail_at(std::uint32_t point) const {
-    if (point >= hierarchy_.level_begin(1)) return detail_of(coefficients_[point], deviation_[point]);
+    const float threshold = threshold_at(point);
+    if (spread_[point] > threshold) return Detail::found;
+    if (point >= hierarchy_.level_begin(1)) return detail_of(coefficients_[point], deviation_[point], threshold);
     Detail most = Detail::none;
     hierarchy_.visit_covering(0, hierarchy_.place(point), [&](std::uint32_t other, float) {
-      most = std::max(most,
-                      detail_of(point_values_[point] - point_values_[other], std::hypot(deviation_[point], deviation_[other])));
+      most = std::max(most, detail_of(point_values_[point] - point_values_[other],
+                                      std::hypot(deviation_[point], deviation_[other]), threshold));
     });
     return most;
   }
 
-  Detail detail_of(const Rgb& difference, float deviation) const {
+  Detail detail_of(const Rgb& difference, float deviation, float threshold) const {
     const float size = largest_magnitude(difference);
-    if (!(size > threshold_)) return Detail::none;
+    if (!(size > threshold)) return Detail::none;
     return size > static_cast<float>(rule_.noise_guard) * deviation ? Detail::found : Detail::undecided;
   }
 
@@ -169,6 +189,7 @@ class Refinement {
   Coefficients coefficients_;
   std::vector<std::uint8_t> asked_;  ///< computed or about to be
   std::vector<float> deviation_;     ///< of the estimates at the computed points, W/m²
+  std::vector<float> spread_;        ///< that what is near may cause within the ball, W/m²
   float threshold_ = 0.0F;           ///< W/m²
   std::uint64_t undecided_ = 0;      ///< points whose differences noise may have made
 };

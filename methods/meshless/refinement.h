@@ -10,6 +10,7 @@
 #include "common/method/task.h"
 #include "methods/meshless/coefficients.h"
 #include "methods/meshless/gather.h"
+#include "methods/meshless/settings.h"
 
 namespace gibench::meshless {
 
@@ -17,8 +18,11 @@ namespace gibench::meshless {
 using PointValues = std::function<void(std::span<const std::uint32_t> points, std::span<Estimate> values)>;
 
 struct RefinementRule {
-  double epsilon_e = 0.0;        ///< share of the reference value
-  double noise_guard = 0.0;      ///< deviations that a difference must exceed, too, to count as detail
+  double epsilon_e = 0.0;     ///< share of the reference value
+  double noise_guard = 0.0;   ///< deviations that a difference must exceed, too, to count as detail
+  double proximity = 0.0;     ///< weight of what is near, see approximate()
+  double level_growth = 1.0;  ///< of the threshold from level to level
+  ThresholdMean threshold_mean = ThresholdMean::area;
   int corrections = 0;           ///< see fit.h
   std::uint32_t full_level = 0;  ///< levels up to this one are computed wholly
   double solution_mean = 0.0;    ///< mean over the coarsest samples of what was accumulated before, W/m²
@@ -33,10 +37,14 @@ struct RefinementRule {
 /// that in magnitude, the largest channel deciding; and by more than noise_guard deviations of the estimates (an
 /// addition: the paper's oracle would chase the noise of its gathers to the finest level). Functions whose difference is over
 /// epsilon_e, but not over the noise, are not refined; the task counts them as `undecided_samples`: there it is the noise of the
-/// estimates, not epsilon_e, that bounds the error. The reference is the mean irradiance, over the surfaces and the channels,
-/// that the whole series is foreseen to come to: solution_mean and this term, and the terms left where they fade as this one did.
-/// Refining computes the functions of the next level that cover the point and, before them, every coarser one that covers theirs
-/// (their parents).
+/// estimates, not epsilon_e, that bounds the error. A function is refined, too, where what is near may make irradiance vary by
+/// that much within its ball: proximity · radius · the slope of its estimate. On level l all this must exceed level_growth^l
+/// times as much: at 1 the largest error is the same on all levels, at 2 the squared error that a function may leave times its
+/// area, which is a quarter of its parent's. The reference is the mean irradiance, over the surfaces and the channels, that the
+/// whole series is foreseen to come to: solution_mean and this term, and the terms left where they fade as this one did; weighted
+/// by irradiance (ΣE² / ΣE, in which dark surfaces do not count) where threshold_mean says so, by this term's share of the one in
+/// the other. Refining computes the functions of the next level that cover the point and, before them, every coarser one that
+/// covers theirs (their parents).
 Coefficients approximate(const Hierarchy& hierarchy, const PointValues& values, const RefinementRule& rule, Task& task);
 
 /// Mean over the surfaces' area, each of the coarsest samples for its share of it.

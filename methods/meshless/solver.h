@@ -1,25 +1,17 @@
-/// The progressive radiosity solver: b = T b + e by its Neumann series, bounce by bounce (Lehtinen et al. 2007,
+/// The radiosity solver: direct light in the basis where that is wanted, and the series of bounces (Lehtinen et al. 2007,
 /// section 6.3).
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "common/lighting/direct_light.h"
 #include "common/method/task.h"
-#include "methods/meshless/coefficients.h"
-#include "methods/meshless/gather.h"
-#include "methods/meshless/refinement.h"
+#include "methods/meshless/expansion.h"
 #include "methods/meshless/settings.h"
+#include "methods/meshless/transport.h"
 
 namespace gibench::meshless {
-
-/// What the geometry alone decides; prepare() makes it, every light() uses it.
-struct Transport {
-  Groups groups;
-  Hierarchy hierarchy;
-};
 
 struct Solution {
   Termination termination = Termination::done;

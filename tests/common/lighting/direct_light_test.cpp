@@ -63,6 +63,61 @@ TEST(DirectLight, AreaLampsNearAndFarMatchTheClosedForm) {
   }
 }
 
+TEST(DirectLight, FewerHemisphereSamplesExpectTheSameForFewerRays) {
+  for (const float height : {0.01F, 0.3F, 1.0F}) {
+    Lit lit(Plate().lamp(height, 0.5F, 2.0F).builder.build("lamp"));
+    const double truth = 2.0 * under_square(0.5, static_cast<double>(height));
+    constexpr std::size_t count = 8192;
+    const std::vector<SurfaceSample> points(count, lit.centre());
+    std::vector<std::uint64_t> keys(count);
+    for (std::size_t i = 0; i < count; ++i) keys[i] = i;
+    std::vector<Rgb> light(count);
+    {
+      RayStream rays(lit.world.rays(), lit.counts);
+      lit.light.irradiance(points, keys, 1, rays, light, {.hemisphere_share = 0.25F});
+    }
+    double sum = 0.0, squares = 0.0;
+    for (const Rgb& value : light) {
+      sum += static_cast<double>(value.r);
+      squares += static_cast<double>(value.r * value.r);
+    }
+    const double mean = sum / count, standard_error = std::sqrt((squares / count - mean * mean) / count);
+    EXPECT_NEAR(mean, truth, 4.0 * standard_error) << height;
+    EXPECT_LT(standard_error, 0.03 * truth);
+    // A quarter of the points, to within four standard deviations of a draw.
+    EXPECT_NEAR(static_cast<double>(lit.counts.closest_hit), 0.25 * count, 4.0 * std::sqrt(count * 0.25 * 0.75));
+  }
+}
+
+TEST(DirectLight, SmallLightIsTriedByChanceAndExpectsTheSame) {
+  Plate plate;
+  plate.builder.light(PointLight{{0.0F, 0.0F, 2.0F}, Rgb(4.0F)});  // 1 W/m²
+  Lit lit(plate.builder.build("point"));
+  constexpr std::size_t count = 4096;
+  const std::vector<SurfaceSample> points(count, lit.centre());
+  std::vector<std::uint64_t> keys(count);
+  for (std::size_t i = 0; i < count; ++i) keys[i] = i;
+  std::vector<Rgb> light(count);
+  for (const float small : {0.5F, 5.0F}) {
+    const std::uint64_t before = lit.counts.occlusion;
+    {
+      RayStream rays(lit.world.rays(), lit.counts);
+      lit.light.irradiance(points, keys, 1, rays, light, {.small_light = small});
+    }
+    const auto tried = static_cast<double>(lit.counts.occlusion - before);
+    if (small < 1.0F) {
+      EXPECT_EQ(tried, count);
+      for (const Rgb& value : light) EXPECT_FLOAT_EQ(value.r, 1.0F);
+      continue;
+    }
+    // One in five, to within four standard deviations of a draw; each brings 5 W/m².
+    EXPECT_NEAR(tried, 0.2 * count, 4.0 * std::sqrt(count * 0.2 * 0.8));
+    double sum = 0.0;
+    for (const Rgb& value : light) sum += static_cast<double>(value.r);
+    EXPECT_NEAR(sum, 5.0 * tried, 1e-3 * tried);
+  }
+}
+
 TEST(DirectLight, AConstantSkyIsExactWhereNothingHidesIt) {
   Plate plate;
   EnvironmentLight sky;

@@ -25,7 +25,7 @@ struct BasisScene {
     hierarchy = Hierarchy(place_points(world, groups, settings, task), groups.count, settings, task);
   }
 
-  Place place(const SurfaceSample& sample) const { return {sample.position, sample.normal, groups.of_triangle[sample.triangle]}; }
+  Place place(const SurfaceSample& sample) const { return {sample.position, sample.normal, groups.of(sample)}; }
   std::vector<Place> places(std::size_t count) const {
     std::vector<Place> made;
     for (const SurfaceSample& sample : area_uniform_samples(world, count, 17)) made.push_back(place(sample));

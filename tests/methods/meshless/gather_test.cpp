@@ -102,6 +102,34 @@ TEST(Gather, BacksAndMissesAreBlack) {
   EXPECT_NEAR(gathered(both, sample_on(both, 0), ConstantSender(Rgb(1.0F))).value.r, 0.5F, 0.01F);
 }
 
+TEST(Gather, ItsSlopeIsThatOfNearThingsUnlikeTheRest) {
+  /// One wall alone sends light.
+  class Wall : public Sender {
+   public:
+    void irradiance(std::span<const SurfaceSample> hits, const Vec3&, std::uint64_t, RayStream&, std::span<Rgb> values,
+                    SenderCounts&) const override {
+      for (std::size_t i = 0; i < hits.size(); ++i) values[i] = Rgb(hits[i].position.x < 1e-3F ? 1.0F : 0.0F);
+    }
+  };
+  made::SceneBuilder builder;
+  builder.room("room", builder.diffuse("grey", Rgb(0.5F)), {0, 0, 0}, {2, 1, 3});
+  const World world(builder.build("room"), 1);
+  const Gatherer gatherer(world, rays);
+  Task task;
+  RayStream stream = task.rays(world);
+  GatherBuffers buffers;
+  const auto slope = [&](float x, float reach, const Sender& sender) {
+    const Hit floor = world.rays().closest_hit({{x, 0.5F, 1.5F}, 0.0F, {0, -1, 0}});
+    buffers.reach = reach;
+    return gatherer.irradiance(world.sample_at(floor.triangle, {floor.u, floor.v}, {0, 1, 0}), 1, sender, stream, buffers).slope;
+  };
+  EXPECT_LT(slope(0.1F, 0.0F, ConstantSender(Rgb(1.0F))), 1e-4F) << "all alike, as near as it is";
+  EXPECT_GT(slope(0.1F, 0.0F, Wall()), 5.0F * slope(1.0F, 0.0F, Wall()));
+  // Within a metre light changes by all of its contrast at most: 2 p (1 - p) of the 0.5 that the wall sends, p = 0.45 of all it
+  // is.
+  EXPECT_LT(slope(0.1F, 1.0F, Wall()), 0.25F);
+}
+
 TEST(Gather, TurnsWithTheScene) {
   const Scene box = made::box_scene();
   const World world(box, 1), turned(made::transformed(box, 1.0F, {1, 2, 3}, 40.0F), 1);

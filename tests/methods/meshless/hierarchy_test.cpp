@@ -66,7 +66,7 @@ TEST(Hierarchy, KeepsEveryPlacedPointOnce) {
     const Vec3& front = scene.world.normal(scene.hierarchy.triangle(point));
     const Vec3 normal = scene.hierarchy.on_front(point) ? front : -front;
     EXPECT_GT(glm::dot(scene.hierarchy.normal(point), normal), 0.99999F);
-    EXPECT_EQ(scene.groups.of_triangle[scene.hierarchy.triangle(point)], scene.hierarchy.group_of(point));
+    EXPECT_EQ(scene.groups.of(scene.hierarchy.triangle(point), scene.hierarchy.on_front(point)), scene.hierarchy.group_of(point));
   }
 }
 
@@ -153,6 +153,76 @@ TEST(Groups, FollowTheSceneAndItsConnectedComponents) {
   EXPECT_EQ(make_groups(many, Grouping::automatic).count, most_own_groups + 1U);
 }
 
+TEST(Groups, TheSidesOfATwoSidedSheetAreApart) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.quad("sheet", white, {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}}, true);
+  builder.quad("floor", white, {{{0, -1, 0}, {0, -1, 1}, {1, -1, 1}, {1, -1, 0}}});
+  const World world(builder.build("sheet"), 1);
+  for (const Grouping grouping : {Grouping::components, Grouping::automatic}) {
+    const Groups groups = make_groups(world, grouping);
+    EXPECT_EQ(groups.count, 3U);
+    EXPECT_NE(groups.of(0, true), groups.of(0, false));
+    EXPECT_EQ(groups.of(0, true), groups.of(1, true));
+    EXPECT_EQ(groups.of(2, true), groups.of(2, false)) << "a black back is nobody's";
+    SurfaceSample below = world.sample_at(0, {0.2F, 0.2F}, {0.0F, -1.0F, 0.0F});
+    EXPECT_EQ(groups.of(below), groups.of(0, glm::dot(world.normal(0), Vec3(0, -1, 0)) > 0.0F));
+  }
+  EXPECT_EQ(make_groups(world, Grouping::objects).of(0, true), make_groups(world, Grouping::objects).of(0, false));
+}
+
+/// Two rooms whose walls touch, one object of a group; a lamp lights the first. Two triangles a wall, the dark room's last.
+Scene lit_and_sealed_room() {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.room("lit", white, {0, 0, 0}, {1, 1, 1}).room("sealed", white, {1, 0, 0}, {2, 1, 1});
+  builder.light(PointLight{{0.5F, 0.5F, 0.5F}, Rgb(1.0F)});
+  Scene scene = builder.build("rooms");
+  for (Object& object : scene.objects) object.group = "house";
+  return scene;
+}
+
+TEST(Groups, SealedSidesAreApartFromLitOnesOfTheSameSurface) {
+  const World world(lit_and_sealed_room(), 1);
+  Task task;
+  const SideLight light(world, task);
+  EXPECT_EQ(make_groups(world, Grouping::automatic).count, 1U);
+  const Groups groups = make_groups(world, Grouping::automatic, &light);
+  ASSERT_EQ(groups.count, 2U);
+  for (std::uint32_t t = 0; t < 24; ++t) EXPECT_EQ(groups.sealed[groups.of(t, true)], t < 12 ? 0 : 1) << t;
+}
+
+TEST(Placement, CoarsestSamplesAreThoseThatLightReaches) {
+  const World world(lit_and_sealed_room(), 1);
+  Task task;
+  const SideLight light(world, task);
+  const Groups groups = make_groups(world, Grouping::automatic, &light);
+  const Placement placement = place_points(world, groups, small_settings(1), task);
+  for (std::uint32_t group = 0; group < 2; ++group)
+    EXPECT_NEAR(static_cast<double>(placement.points[0][group].size()), 310.0, 40.0) << "rooms of the same size";
+}
+
+TEST(Placement, DiscsAreSmallerWhereSurfacesSeeWhatIsNear) {
+  // Two plates, ten wide: the sides that face each other see a tenth of their width away at most, or a hundredth.
+  const auto coarsest = [](float gap, double feature_radius) {
+    made::SceneBuilder builder;
+    const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+    builder.quad("floor", white, {{{0, 0, 0}, {0, 0, 10}, {10, 0, 10}, {10, 0, 0}}});
+    builder.quad("ceiling", white, {{{0, gap, 0}, {10, gap, 0}, {10, gap, 10}, {0, gap, 10}}});
+    Settings settings = small_settings(1);
+    settings.feature_radius = feature_radius;
+    const World world(builder.build("plates"), 1);
+    Task task;
+    std::size_t count = 0;
+    const Placement placement = place_points(world, make_groups(world, Grouping::automatic), settings, task);
+    for (const std::vector<DiscPoint>& group : placement.points[0]) count += group.size();
+    return static_cast<double>(count);
+  };
+  EXPECT_NEAR(coarsest(10.0F, 0.5), 310.0, 20.0) << "far apart in comparison with discs";
+  EXPECT_NEAR(coarsest(0.1F, 0.5), 1600.0, 160.0);
+  EXPECT_NEAR(coarsest(0.1F, 0.0), 310.0, 20.0);
+}
+
 /// Blocks of one object, each smaller than the one before, in a room.
 Scene room_with_blocks(std::uint32_t count) {
   made::SceneBuilder builder;
@@ -173,10 +243,10 @@ TEST(Groups, OneMoreSmallComponentChangesNoGroupButTheSmallest) {
   const Groups before = make_groups(few, Grouping::automatic), after = make_groups(more, Grouping::automatic);
   EXPECT_EQ(before.count, most_own_groups);
   EXPECT_EQ(after.count, most_own_groups + 1);
-  ASSERT_LT(before.of_triangle.size(), after.of_triangle.size());
-  for (std::size_t t = 0; t < before.of_triangle.size(); ++t) EXPECT_EQ(after.of_triangle[t], before.of_triangle[t]);
-  for (std::size_t t = before.of_triangle.size(); t < after.of_triangle.size(); ++t)
-    EXPECT_EQ(after.of_triangle[t], most_own_groups) << "the smallest share a group";
+  ASSERT_LT(before.of_side.size(), after.of_side.size());
+  for (std::size_t t = 0; t < before.of_side.size(); ++t) EXPECT_EQ(after.of_side[t], before.of_side[t]);
+  for (std::size_t t = before.of_side.size(); t < after.of_side.size(); ++t)
+    EXPECT_EQ(after.of_side[t], most_own_groups) << "the smallest share a group";
 }
 
 TEST(Groups, PolygonsThatAbutWithTJunctionsAreOneSurface) {
@@ -197,9 +267,9 @@ TEST(Groups, PolygonsThatAbutWithTJunctionsAreOneSurface) {
   const World world(scene, 1);
   const Groups groups = make_groups(world, Grouping::components);
   EXPECT_EQ(groups.count, 2U);
-  EXPECT_EQ(groups.of_triangle[0], groups.of_triangle[2]);
-  EXPECT_EQ(groups.of_triangle[0], groups.of_triangle[4]);
-  EXPECT_NE(groups.of_triangle[0], groups.of_triangle[6]);
+  EXPECT_EQ(groups.of(0, true), groups.of(2, true));
+  EXPECT_EQ(groups.of(0, true), groups.of(4, true));
+  EXPECT_NE(groups.of(0, true), groups.of(6, true));
 }
 
 TEST(Groups, ABlockThatStandsOnAFloorIsNotPartOfIt) {

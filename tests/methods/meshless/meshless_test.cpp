@@ -98,24 +98,54 @@ TEST(Meshless, OneBounceBetweenParallelPlatesHasAClosedForm) {
   builder.quad("ceiling", grey, {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}});
   const float s = 3.0F / std::sqrt(10.0F), c = 1.0F / std::sqrt(10.0F);
   builder.light(DirectionalLight{{-s, -c, 0.0F}, Rgb(2.0F)});
+  // Of 2048 rays 490 meet the floor, whose edge crosses 2.5 √2048 = 113 cells of the pattern, each right to within 1/√6 of a ray:
+  // 0.9%. The basis takes the mean of four or five such gathers, 0.42%; four of these.
   Solved solved(builder.build("plates"), 1);
   const double form_factor = 4.0 / std::sqrt(5.0) / pi_double * std::atan(1.0 / std::sqrt(5.0));
   const auto expected = static_cast<float>(static_cast<double>(2.0F * c) * 0.4 * form_factor);
-  EXPECT_NEAR(solved.at({0.5F, 1, 0.5F}, {0, -1, 0}).r, expected, 0.01F * expected);
+  EXPECT_NEAR(solved.at({0.5F, 1, 0.5F}, {0, -1, 0}).r, expected, 0.017F * expected);
+}
+
+/// Relative difference of two solutions, root mean square and mean, in the green channel.
+std::pair<double, double> difference(Solved& one, Solved& other, std::size_t count) {
+  const std::vector<SurfaceSample> samples = area_uniform_samples(one.world(), count, 12);
+  const std::vector<Rgb> a = one.irradiance(samples), b = other.irradiance(samples);
+  double squares = 0.0, sum = 0.0, bias = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto apart = static_cast<double>(a[i].g - b[i].g);
+    squares += apart * apart, bias += apart, sum += static_cast<double>(a[i].g);
+  }
+  return {std::sqrt(squares * static_cast<double>(count)) / sum, bias / sum};
+}
+
+TEST(Meshless, BouncesOnCoarseLevelsAgreeWithThoseRefinedOneByOne) {
+  for (const std::optional<int>& bounces : {std::optional<int>(1), std::optional<int>(3), std::optional<int>()}) {
+    Solved coarse(made::box_scene(), bounces, {{"levels", "4"}}),
+        refined(made::box_scene(), bounces, {{"levels", "4"}, {"bounce_levels", "0"}});
+    const auto [apart, bias] = difference(coarse, refined, 2000);
+    EXPECT_LT(apart, 0.04) << bounces.value_or(0);
+    EXPECT_LT(std::fabs(bias), 0.01) << bounces.value_or(0);
+    EXPECT_EQ(coarse.lit.termination, refined.lit.termination);
+    if (bounces) {
+      EXPECT_EQ(coarse.lit.counters["bounces"], static_cast<std::uint64_t>(*bounces));
+    }
+  }
+}
+
+TEST(Meshless, OneGatherServesAllBounces) {
+  const Setting all_asked{{"levels", "3"}, {"rays", "128"}, {"residual", "1e-9"}, {"epsilon_E", "9"}};
+  Solved two(furnace(Rgb(0.5F)), 2, all_asked), many(furnace(Rgb(0.5F)), 12, all_asked);
+  EXPECT_EQ(many.lit.counters["bounces"], 12U);
+  EXPECT_EQ(two.lit.counters["samples_gathered"], many.lit.counters["samples_gathered"]);
+  EXPECT_EQ(two.lit.counters["closest_hit_rays"], many.lit.counters["closest_hit_rays"]);
 }
 
 TEST(Meshless, BothFirstBouncesAgree) {
   Solved exact(made::box_scene(), 2, {{"levels", "5"}}),
       basis(made::box_scene(), 2, {{"levels", "5"}, {"first_bounce", "basis"}});
-  const std::vector<SurfaceSample> samples = area_uniform_samples(exact.world(), 2000, 12);
-  const std::vector<Rgb> a = exact.irradiance(samples), b = basis.irradiance(samples);
-  double squares = 0.0, mean = 0.0, bias = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto difference = static_cast<double>(a[i].g - b[i].g);
-    squares += difference * difference, bias += difference, mean += static_cast<double>(a[i].g);
-  }
-  EXPECT_LT(std::sqrt(squares * 2000.0) / mean, 0.05);
-  EXPECT_LT(std::fabs(bias) / mean, 0.01);
+  const auto [apart, bias] = difference(exact, basis, 2000);
+  EXPECT_LT(apart, 0.05);
+  EXPECT_LT(std::fabs(bias), 0.01);
 }
 
 TEST(Meshless, DirectLightInTheBasisIsNearTheEvaluator) {
@@ -207,7 +237,10 @@ TEST(Meshless, ReportsItsWork) {
   EXPECT_EQ(solved.prepared.counters["levels"], 6U);
   EXPECT_NEAR(static_cast<double>(solved.prepared.counters["coarsest_samples"]), 310.0, 20.0);
   const std::uint64_t gathered = solved.lit.counters["samples_gathered"];
-  EXPECT_GE(gathered, 310U * solved.lit.counters["bounces"]);
+  EXPECT_GE(gathered, solved.lit.counters["coarse_functions"]);
+  EXPECT_GE(solved.lit.counters["coarse_functions"], 3U * 290U)
+      << "two levels, of which the second has about twice to three times the points";
+  EXPECT_LE(gathered, solved.prepared.counters["samples"]) << "no point gathers twice";
   EXPECT_EQ(solved.lit.counters["basis_functions"], gathered);
   EXPECT_GE(solved.lit.counters["closest_hit_rays"], 512U * gathered);
   EXPECT_GT(solved.method().bytes(), 1'000'000U);

@@ -197,6 +197,80 @@ TEST(Refinement, TheReferenceForeseesTheTermsLeft) {
   EXPECT_EQ(refined(scene, rule, ripple).size(), scene.hierarchy.level_size(0));
 }
 
+TEST(Refinement, DarkSurfacesDoNotDiluteAMeanWeightedByIrradiance) {
+  // A tenth of the floor is lit, by 1 and by 1.05: a ripple of 50% of the mean over the area, and 5% of that over the light.
+  const test::BasisScene scene = floor_scene(3);
+  const auto lit = [&](std::uint32_t p) {
+    const Vec3& at = scene.hierarchy.position(p);
+    return Estimate{Rgb(at.x > 0.1F ? 0.0F : (at.z < 0.5F ? 1.0F : 1.05F)), 0.0F, 0.0F};
+  };
+  const auto computed_along_ripple = [&](const Coefficients& made) {
+    std::size_t count = 0;
+    for (const std::uint32_t p : made.sorted_points())
+      count += scene.hierarchy.level_of(p) == 2 && scene.hierarchy.position(p).x < 0.03F ? 1U : 0U;
+    return count;
+  };
+  RefinementRule rule = rule_with(0.2);
+  const std::size_t by_area = computed_along_ripple(refined(scene, rule, lit));
+  rule.threshold_mean = ThresholdMean::irradiance;
+  EXPECT_LT(computed_along_ripple(refined(scene, rule, lit)), by_area);
+  rule.epsilon_e = 0.02;
+  EXPECT_GT(computed_along_ripple(refined(scene, rule, lit)), 0U) << "a ripple of 5% is over 2%";
+}
+
+TEST(Refinement, AMeanWeightedByIrradianceIsTheMeanWhereAllIsEven) {
+  const test::BasisScene scene = floor_scene(3);
+  const auto step = [&](std::uint32_t p) {
+    return Estimate{Rgb(scene.hierarchy.position(p).x < 0.5F ? 1.0F : 1.03F), 0.0F, 0.0F};
+  };
+  for (const double epsilon_e : {0.025, 0.035}) {
+    RefinementRule rule = rule_with(epsilon_e);
+    rule.threshold_mean = ThresholdMean::irradiance;
+    EXPECT_EQ(refined(scene, rule, step).size() > scene.hierarchy.level_size(0), epsilon_e < 0.03) << epsilon_e;
+  }
+}
+
+TEST(Refinement, NearSurroundingsAreRefinedDownToTheirScale) {
+  // Even light along a wall at x = 0 that would explain a slope of 1/x: light may vary by radius / x within a ball. The finest
+  // balls are called for where their parents' x is below 0.1 radius / 0.02, five radii; children lie a radius and a half further
+  // at most.
+  const test::BasisScene scene = floor_scene(4);
+  const auto even = [&](std::uint32_t p) {
+    return Estimate{Rgb(1.0F), 0.0F, 1.0F / std::max(1e-4F, scene.hierarchy.position(p).x)};
+  };
+  RefinementRule rule = rule_with(0.02);
+  EXPECT_EQ(refined(scene, rule, even).size(), scene.hierarchy.level_size(0)) << "there is no variation";
+  rule.proximity = 0.1;
+  const Coefficients made = refined(scene, rule, even);
+  float farthest = 0.0F, largest_parent = 0.0F;
+  std::size_t finest = 0, beside_wall = 0;
+  for (std::uint32_t p = scene.hierarchy.level_begin(2); p < scene.hierarchy.level_begin(3); ++p)
+    largest_parent = std::max(largest_parent, scene.hierarchy.radius(p));
+  for (std::uint32_t p = scene.hierarchy.level_begin(3); p < scene.hierarchy.size(); ++p) {
+    const float x = scene.hierarchy.position(p).x;
+    beside_wall += x < 0.02F ? 1U : 0U;
+    if (!made.has(p)) continue;
+    farthest = std::max(farthest, x);
+    finest += x < 0.02F ? 1U : 0U;
+  }
+  EXPECT_EQ(finest, beside_wall);
+  EXPECT_GT(finest, 10U);
+  EXPECT_LT(farthest, 6.5F * largest_parent);
+}
+
+TEST(Refinement, AThresholdThatGrowsFromLevelToLevelLeavesFinerFunctionsOut) {
+  const test::BasisScene scene = floor_scene(5);
+  const auto step = [&](std::uint32_t p) { return Estimate{Rgb(scene.hierarchy.position(p).x < 0.5F ? 1.0F : 1.2F), 0.0F}; };
+  RefinementRule rule = rule_with(0.02);
+  const std::size_t even = computed_on_level(refined(scene, rule, step), 4);
+  rule.level_growth = 1.5;
+  const Coefficients made = refined(scene, rule, step);
+  EXPECT_LT(computed_on_level(made, 4), even);
+  EXPECT_GT(computed_on_level(made, 1), 0U);
+  rule.level_growth = 4.0;
+  EXPECT_EQ(computed_on_level(refined(scene, rule, step), 4), 0U) << "0.02 · 4³ is more than the step";
+}
+
 TEST(Refinement, IsTheSameForAnyNumberOfThreads) {
   const test::BasisScene scene = floor_scene(5);
   const auto step = [&](std::uint32_t p) { return Estimate{Rgb(scene.hierarchy.position(p).x < 0.4F ? 0.1F : 1.0F), 0.0F}; };
