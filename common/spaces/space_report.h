@@ -16,6 +16,7 @@ struct SideFacts {
   double power = 0.0;      ///< W that arrive, mean of the channels
 };
 
+/// Both sides of one object.
 struct ObjectSides {
   std::string name;
   bool two_sided = false;
@@ -23,6 +24,7 @@ struct ObjectSides {
   SideFacts front, back;
 };
 
+/// What is lit, seen and sealed of a scene.
 struct SpaceReport {
   double area = 0.0;  ///< m² of all sides that light can leave: the fronts, and the backs of two-sided objects
   // Of that area, m²:

@@ -11,7 +11,7 @@
 
 #include "common/scene/made_scenes.h"
 #include "methods/antiradiance/elements.h"
-#include "tests/methods/antiradiance/solved.h"
+#include "solved_scene.h"
 
 namespace gibench::antiradiance {
 namespace {
