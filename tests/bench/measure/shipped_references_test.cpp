@@ -65,7 +65,7 @@ struct Scores {
 
 /// With R_A, R_B the halves of the stored replicates and F_A, F_B two thirds of the fresh ones, the term of a value is
 /// w (F_A − R_A)(F_B − R_B): all four are independent, so that it has the mean (f − r)² w, which is 0 where both are of the same
-/// light, and its terms are independent from value to value, as every value has paths of its own. w = 1/(F_C² + (0.01 M)²) with
+/// light, and its terms are independent from value to value, as every value has paths of its own. w = 1/(F_C² + M²) with
 /// the last third F_C, independent of the four, and M its mean, keeps bright values from deciding alone. The difference
 /// w½ (F_A + F_B − R_A − R_B) shows what is only a little too bright everywhere. `shift` compares with the value so many places
 /// on: other light.
@@ -79,7 +79,7 @@ Scores scores_of(const Replicas& stored, const Replicas& fresh, std::size_t shif
     double product = 0.0, difference = 0.0;
     for (int c = 0; c < 3; ++c) {
       const double a = static_cast<double>(fa[i][c]) - ra[other][c], b = static_cast<double>(fb[i][c]) - rb[other][c];
-      const double weight = 1.0 / (static_cast<double>(fc[i][c]) * fc[i][c] + 1e-4 * mean * mean + 1e-30);
+      const double weight = 1.0 / (static_cast<double>(fc[i][c]) * fc[i][c] + mean * mean + 1e-30);
       product += weight * a * b;
       difference += std::sqrt(weight) * (a + b);
     }
