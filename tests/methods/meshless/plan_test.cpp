@@ -22,8 +22,14 @@ struct Outcome {
 Outcome run(const Scene& scene, const PlanLimits& limits = {}) {
   const World world(scene, 1);
   const MethodEntry entry = meshless_entry();
-  const auto method = make_session(
-      entry, Parameters(entry.schema, {{"levels", "3"}, {"coarsest_samples", "100"}, {"rays", "128"}, {"coarsest_rays", "128"}}));
+  // Without looks at the surroundings for the size of discs, and without small light left to chance, which saves shadow rays
+  // where there are any: so that only what a plan leaves out differs.
+  const auto method = make_session(entry, Parameters(entry.schema, {{"levels", "3"},
+                                                                    {"coarsest_samples", "100"},
+                                                                    {"rays", "128"},
+                                                                    {"coarsest_rays", "128"},
+                                                                    {"feature_radius", "0"},
+                                                                    {"small_light", "0"}}));
   const EffectPlan plan = plan_effects(analyse_effects(world, limits), effects_of(method->capabilities()));
   Task task;
   EXPECT_TRUE(succeeded(method->prepare(world, plan, task).termination));
