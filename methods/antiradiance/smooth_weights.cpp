@@ -12,7 +12,7 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr float hill = 1.6F;           // of an element's size, to where its values reach
+constexpr float hill_reach = 1.6F;     // of an element's size, to where its values reach
 constexpr float roundness = 0.25F;     // of the square of a disc's radius, added to the cell's own extents
 constexpr float least_cosine = 0.3F;   // between a vertex's normal and an element's, from which the latter counts
 constexpr float least_of_own = 0.02F;  // height of its own element's hill at every vertex
@@ -50,7 +50,7 @@ Hill hill_of(const Elements& elements, std::uint32_t element, RayStream& rays) {
   }
   if (middle == nullptr) return made;
   const float radius_squared = disc.area / pi;
-  const glm::mat3 extents = (squares * (4.0F / count) + glm::mat3(roundness * radius_squared)) * (hill * hill);
+  const glm::mat3 extents = (squares * (4.0F / count) + glm::mat3(roundness * radius_squared)) * (hill_reach * hill_reach);
   made.support = std::sqrt(extents[0][0] + extents[1][1] + extents[2][2]);
   made.to_unit = glm::inverse(extents);
   made.lookout = Lookout(middle->origin, middle->normal, std::sqrt(radius_squared), rays);
