@@ -11,16 +11,21 @@ namespace {
 
 constexpr std::size_t reflection_rays = 16;
 
-}  // namespace
-
-bool CameraSight::sees(const SurfaceSample& sample) const {
-  for (const CameraView& view : views_) {
+/// `rays`: a backend, or a counted tap on one.
+template <class Rays>
+bool is_seen(const SurfaceSample& sample, const World& world, const std::vector<CameraView>& views, Rays& rays) {
+  for (const CameraView& view : views) {
     if (!view.in_picture(sample.position) || !(glm::dot(view.position - sample.position, sample.normal) > 0.0F)) continue;
-    const Vec3 origin = world_.ray_origin(sample);
-    if (!world_.rays().occluded({origin, 0.0F, view.position - origin, 1.0F})) return true;
+    const Vec3 origin = world.ray_origin(sample);
+    if (!rays.occluded({origin, 0.0F, view.position - origin, 1.0F})) return true;
   }
   return false;
 }
+
+}  // namespace
+
+bool CameraSight::sees(const SurfaceSample& sample) const { return is_seen(sample, world_, views_, world_.rays()); }
+bool CameraSight::sees(const SurfaceSample& sample, RayStream& rays) const { return is_seen(sample, world_, views_, rays); }
 
 bool CameraSight::sees_reflection_to(const SurfaceSample& sample, RandomStream& random) const {
   std::array<Ray, reflection_rays> rays;

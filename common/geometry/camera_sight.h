@@ -5,6 +5,7 @@
 
 #include "common/core/random.h"
 #include "common/geometry/camera_view.h"
+#include "common/ray/ray_stream.h"
 #include "common/ray/world.h"
 
 namespace gibench {
@@ -17,6 +18,8 @@ class CameraSight {
 
   /// In the picture of a camera, its side turned to it, and nothing between.
   bool sees(const SurfaceSample& sample) const;
+  /// The same by counted rays.
+  bool sees(const SurfaceSample& sample, RayStream& rays) const;
   /// One of 16 cosine-distributed rays from the sample meets a lit side that a camera sees.
   bool sees_reflection_to(const SurfaceSample& sample, RandomStream& random) const;
 

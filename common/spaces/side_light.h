@@ -32,6 +32,11 @@ class SideLight {
 
   /// W/m², the mean over the side; 0 of black sides, unless these are asked about, and of triangles without area.
   float irradiance(std::uint32_t triangle, bool front) const { return irradiance_[SideCells::side_number(triangle, front)]; }
+  /// W/m², of the part of the side around a point; 0 of triangles without area, and of black sides as above.
+  float irradiance(std::uint32_t triangle, bool front, Vec2 barycentrics) const {
+    const std::uint32_t cell = cells_.at(triangle, front, barycentrics);
+    return cell != SideCells::none ? cell_irradiance_[cell] : 0.0F;
+  }
   /// W/m², of the irradiance weighted with itself, ΣE²A/ΣEA: dark surfaces do not dilute it. 0 where no light reaches anything.
   float mean() const { return mean_; }
   /// Whether more than the share of mean() reaches some part of the side. Where no light reaches any side that can reflect, all

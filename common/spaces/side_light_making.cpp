@@ -10,6 +10,7 @@
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
+#include "common/geometry/camera_sight.h"
 #include "common/geometry/camera_view.h"
 #include "common/scene/material_kinds.h"
 #include "common/spaces/cell_points.h"
@@ -30,8 +31,6 @@ std::size_t rays_of_cells(std::size_t cells) {
   return std::clamp(usual_rays / std::max<std::size_t>(1, cells), least_rays_a_cell, most_rays_a_cell);
 }
 
-float mean_of_channels(const Rgb& value) { return (value.r + value.g + value.b) / 3.0F; }
-
 class CellLightMaker {
  public:
   CellLightMaker(const World& world, const SideCells& cells, Task& task)
@@ -39,6 +38,7 @@ class CellLightMaker {
         cells_(cells),
         task_(task),
         views_(camera_views(world.scene())),
+        sight_(world),
         points_(world, cells, rays_of_cells(cells.size()) >= 8 ? 4 : 1, task),
         rays_a_point_(rays_of_cells(cells.size()) / points_.points_a_cell()),
         irradiance_(points_.size(), 0.0F) {
@@ -93,18 +93,9 @@ class CellLightMaker {
       light.find({range.begin, range.end}, irradiance_, rays);
       for (std::size_t point = range.begin * points_.points_a_cell(); point < range.end * points_.points_a_cell(); ++point) {
         const std::optional<SurfaceSample> sample = points_.sample(static_cast<std::uint32_t>(point));
-        if (sample && sees(*sample, rays)) mark_seen(points_.cell(static_cast<std::uint32_t>(point)));
+        if (sample && sight_.sees(*sample, rays)) mark_seen(points_.cell(static_cast<std::uint32_t>(point)));
       }
     });
-  }
-
-  bool sees(const SurfaceSample& sample, RayStream& rays) const {
-    for (const CameraView& view : views_) {
-      if (!view.in_picture(sample.position) || !(glm::dot(view.position - sample.position, sample.normal) > 0.0F)) continue;
-      const Vec3 origin = world_.ray_origin(sample);
-      if (!rays.occluded({origin, 0.0F, view.position - origin, 1.0F})) return true;
-    }
-    return false;
   }
 
   /// The points that the rays of each point meet.
@@ -198,6 +189,7 @@ class CellLightMaker {
   const SideCells& cells_;
   Task& task_;
   std::vector<CameraView> views_;
+  CameraSight sight_;
   CellPoints points_;
   std::size_t rays_a_point_;
   std::vector<std::uint32_t> met_;  ///< points, rays_a_point_ of each; none: nothing, or a black back

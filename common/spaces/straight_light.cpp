@@ -21,8 +21,6 @@ Lighting lights_of(const Scene& scene, bool punctual) {
   return lighting;
 }
 
-float mean_of_channels(const Rgb& value) { return (value.r + value.g + value.b) / 3.0F; }
-
 }  // namespace
 
 StraightLight::StraightLight(const World& world, const CellPoints& points, std::uint64_t seed)

@@ -10,6 +10,8 @@
 
 namespace gibench {
 
+inline float mean_of_channels(const Rgb& value) { return (value.r + value.g + value.b) / 3.0F; }
+
 /// Cells [begin, end).
 struct CellRange {
   std::size_t begin, end;

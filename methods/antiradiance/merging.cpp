@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "common/finite_elements/grouped.h"
 #include "common/spaces/place_clusters.h"
 #include "common/spaces/side_light.h"
 #include "methods/antiradiance/over_obstacles.h"
@@ -33,9 +33,7 @@ struct VertexLight {
 /// W/m², the most just beside a vertex on one side of its faces.
 float irradiance_beside(const SideLight& light, std::span<const VertexSite> sites, bool front) {
   float most = 0.0F;
-  for (const VertexSite& site : sites)
-    if (const std::uint32_t cell = light.cells().at(site.scene_triangle, front, site.barycentrics); cell != SideCells::none)
-      most = std::max(most, light.cell_irradiance(cell));
+  for (const VertexSite& site : sites) most = std::max(most, light.irradiance(site.scene_triangle, front, site.barycentrics));
   return most;
 }
 
@@ -92,27 +90,9 @@ std::uint32_t cluster(const SamplingMesh& mesh, std::span<const std::uint32_t> l
     places.push_back({at.position, at.normal, at.area, labels[vertex]});
   }
   const std::vector<std::uint32_t> found = cluster_places(places, {wanted, least_cosine}, task);
-  std::uint32_t end = first;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    of_vertex[members[i]] = first + found[i];
-    end = std::max(end, first + found[i] + 1);
-  }
-  return end;
+  for (std::size_t i = 0; i < members.size(); ++i) of_vertex[members[i]] = first + found[i];
+  return first + static_cast<std::uint32_t>(cluster_count(found));
 }
-
-/// The vertices of each element, one after the other.
-struct Members {
-  Members(std::span<const std::uint32_t> of_vertex, std::size_t elements) : begin(elements + 1, 0), vertices(of_vertex.size()) {
-    for (const std::uint32_t element : of_vertex) ++begin[element + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (std::uint32_t v = 0; v < of_vertex.size(); ++v) vertices[next[of_vertex[v]]++] = v;
-  }
-  std::span<const std::uint32_t> of(std::size_t element) const {
-    return std::span(vertices).subspan(begin[element], begin[element + 1] - begin[element]);
-  }
-  std::vector<std::uint32_t> begin, vertices;
-};
 
 /// Numbers the parts of a disc that stands on both sides of an obstacle; one without.
 std::uint32_t find_parts(const World& world, const SamplingMesh& mesh, std::span<const std::uint32_t> members,
@@ -147,7 +127,7 @@ std::uint32_t find_parts(const World& world, const SamplingMesh& mesh, std::span
 
 /// Gives what obstacles part elements of their own.
 void part(const World& world, const SamplingMesh& mesh, Merging& merging, Task& task) {
-  const Members members(merging.of_vertex, merging.elements);
+  const Grouped members(merging.of_vertex, merging.elements);
   std::vector<std::uint8_t> part_of_vertex(merging.of_vertex.size(), 0);
   std::vector<std::uint32_t> parts(merging.elements, 1);
   task.parallel_chunks(merging.elements, cluster_chunk, [&](const ChunkRange& range) {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "common/core/disjoint_sets.h"
 #include "methods/meshless/box_tree.h"
 
 namespace gibench::meshless {
@@ -13,24 +14,7 @@ namespace {
 
 constexpr float on_an_edge = 1e-6F;  // of the diagonal: positions are floats
 
-/// Disjoint sets of vertices; the smallest number of a set stands for it.
-class VertexSets {
- public:
-  explicit VertexSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-void join_coinciding(const std::vector<Vec3>& vertices, VertexSets& sets) {
+void join_coinciding(const std::vector<Vec3>& vertices, DisjointSets& sets) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto key = [&](std::uint32_t i) { return std::tie(vertices[i].x, vertices[i].y, vertices[i].z); };
@@ -71,7 +55,7 @@ bool lies_on(const Vec3& point, const Vec3& from, const Vec3& to, float toleranc
 }
 
 /// Joins the ends of open edges that lie on another open edge of the same group.
-void join_at_t_junctions(const World& world, const std::vector<Edge>& edges, VertexSets& sets) {
+void join_at_t_junctions(const World& world, const std::vector<Edge>& edges, DisjointSets& sets) {
   const std::vector<Vec3>& at = world.scene().vertices;
   const float tolerance = on_an_edge * world.diagonal();
   std::vector<Vec3> middles;
@@ -108,7 +92,7 @@ std::vector<std::uint32_t> group_numbers(const Scene& scene) {
 
 std::vector<std::uint32_t> connected_components(const World& world) {
   const Scene& scene = world.scene();
-  VertexSets sets(scene.vertices.size());
+  DisjointSets sets(scene.vertices.size());
   join_coinciding(scene.vertices, sets);
   std::vector<std::uint32_t> place(scene.vertices.size());
   for (std::uint32_t v = 0; v < place.size(); ++v) place[v] = sets.find(v);

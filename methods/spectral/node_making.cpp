@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
+#include "common/core/disjoint_sets.h"
+#include "common/finite_elements/grouped.h"
 #include "common/spaces/place_clusters.h"
 #include "common/spaces/proximity_joins.h"
 #include "methods/spectral/node_sight.h"
@@ -28,26 +29,17 @@ constexpr double least_join = 0.05, most_join = 1.0;  // weights of edges betwee
 class MeshPieces {
  public:
   MeshPieces(const SamplingMesh& mesh, const Interpolation& interpolation)
-      : parent_(mesh.vertices().size()), area_(mesh.vertices().size(), 0.0) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+      : sets_(mesh.vertices().size()), area_(mesh.vertices().size(), 0.0) {
     for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t)
       for (std::uint32_t i = 0; i < 3; ++i)
-        if (!interpolation.edge_cut(t, i)) join(mesh.triangles()[t].corners[i], mesh.triangles()[t].corners[(i + 1) % 3]);
-    for (std::uint32_t v = 0; v < parent_.size(); ++v) area_[root(v)] += static_cast<double>(mesh.vertices()[v].area);
+        if (!interpolation.edge_cut(t, i)) sets_.join(mesh.triangles()[t].corners[i], mesh.triangles()[t].corners[(i + 1) % 3]);
+    for (std::uint32_t v = 0; v < area_.size(); ++v) area_[sets_.find(v)] += static_cast<double>(mesh.vertices()[v].area);
   }
-  std::uint32_t of(std::uint32_t vertex) { return root(vertex); }
+  std::uint32_t of(std::uint32_t vertex) { return sets_.find(vertex); }
   double area(std::uint32_t piece) const { return area_[piece]; }  ///< m²
 
  private:
-  std::uint32_t root(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
   std::vector<double> area_;
 };
 
@@ -65,8 +57,7 @@ std::vector<Space> spaces_of(const World& world, const SamplingMesh& mesh, const
     float most = 0.0F;
     for (const VertexSite& site : mesh.sites(v)) {
       reached = reached || light.is_reached(mesh.sample(world, v, site));
-      const std::uint32_t cell = light.cells().at(site.scene_triangle, vertex.front, site.barycentrics);
-      if (cell != SideCells::none) most = std::max(most, light.cell_irradiance(cell));
+      most = std::max(most, light.irradiance(site.scene_triangle, vertex.front, site.barycentrics));
     }
     spaces.push_back(reached ? Space::lit : Space::sealed);
     irradiance.push_back(most);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "common/core/error.h"
+#include "common/finite_elements/grouped.h"
 
 namespace gibench::spectral {
 
@@ -19,14 +20,6 @@ std::vector<std::uint32_t> ascending_numbers(std::size_t count) {
 }
 
 }  // namespace
-
-Grouped::Grouped(std::span<const std::uint32_t> group_of_item, std::size_t groups)
-    : begin(groups + 1, 0), items(group_of_item.size()) {
-  for (const std::uint32_t group : group_of_item) ++begin[group + 1];
-  for (std::size_t g = 0; g < groups; ++g) begin[g + 1] += begin[g];
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t i = 0; i < group_of_item.size(); ++i) items[next[group_of_item[i]]++] = i;
-}
 
 Nodes::Nodes(const SamplingMesh& mesh)
     : Nodes(mesh, ascending_numbers(mesh.vertices().size()), [](std::uint32_t, const VertexSite&) { return true; }) {}

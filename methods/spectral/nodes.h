@@ -63,15 +63,4 @@ class Nodes {
   std::vector<NodeSite> sites_;
 };
 
-/// Numbers of items by group, without gaps: the items of group g are items[begin[g]] … items[begin[g + 1] − 1], ascending.
-struct Grouped {
-  std::vector<std::uint32_t> begin, items;
-
-  Grouped(std::span<const std::uint32_t> group_of_item, std::size_t groups);
-  std::size_t groups() const { return begin.size() - 1; }
-  std::span<const std::uint32_t> of(std::size_t group) const {
-    return std::span(items).subspan(begin[group], begin[group + 1] - begin[group]);
-  }
-};
-
 }  // namespace gibench::spectral

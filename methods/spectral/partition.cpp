@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "common/core/error.h"
+#include "common/finite_elements/grouped.h"
 
 namespace gibench::spectral {
 
