@@ -24,6 +24,14 @@ function(gibench_cool TARGET)
   target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# gibench_together(TARGET): several files at a time are compiled as one, which shares what they instantiate of headers. What has hot
+# loops is not: what the compiler inlines there must not depend on a file's neighbours.
+function(gibench_together TARGET)
+  if(GIBENCH_TOGETHER)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # gibench_precompile(KIND ...): headers of others that most files include, parsed once for all targets of a kind: the
 # compiler takes them only where its options are the same, so hot code, cool code and tests have each their own.
 function(gibench_precompile KIND)
@@ -77,6 +85,7 @@ function(gibench_library NAME)
     target_link_libraries(gibench_${NAME} PUBLIC gibench_options ${ARG_LIBRARIES})
     if(ARG_COOL)
       gibench_cool(gibench_${NAME})
+      gibench_together(gibench_${NAME})
       gibench_use_precompiled(gibench_${NAME} cool)
     else()
       gibench_use_precompiled(gibench_${NAME} hot)
@@ -100,6 +109,7 @@ function(gibench_test NAME)
   target_compile_definitions(test_${NAME} PRIVATE GIBENCH_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}"
                              GIBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GIBENCH_PROGRAM="${CMAKE_BINARY_DIR}/bin/gibench")
   gibench_cool(test_${NAME})
+  gibench_together(test_${NAME})
   gibench_use_precompiled(test_${NAME} test)
   include(GoogleTest)
   set(order "")  # without a cost CTest goes by what it measured the last time

@@ -20,96 +20,97 @@ double median_over(const std::vector<RelitFrame>& frames, const Of& of) {
 /// {"value", "ci95": [low, high]}: what is not known is absent, an end that nothing bounds is null.
 Json bounded_json(const Bounded& number) {
   const auto or_null = [](const std::optional<double>& end) { return end ? Json(*end) : Json(); };
-  Json json = Json::object();
-  if (number.value) json["value"] = *number.value;
-  json["ci95"] = {or_null(number.low), or_null(number.high)};
-  return json;
+  Json object = Json::object();
+  if (number.value) object["value"] = *number.value;
+  object["ci95"] = {or_null(number.low), or_null(number.high)};
+  return object;
 }
 
-Bounded bounded_of(const Json& json) {
+Bounded bounded_of(const Json& object) {
   Bounded number;
-  read_field(json, "value", number.value);
-  const Json &low = json.at("ci95").at(0), &high = json.at("ci95").at(1);
+  read_field(object, "value", number.value);
+  const Json &low = object.at("ci95").at(0), &high = object.at("ci95").at(1);
   if (!low.is_null()) number.low = low.get<double>();
   if (!high.is_null()) number.high = high.get<double>();
   return number;
 }
 
-std::optional<Bounded> bounded_in(const Json& json, const char* name) {
-  const Json* entry = field(json, name);
+std::optional<Bounded> bounded_in(const Json& object, const char* name) {
+  const Json* entry = field(object, name);
   return entry ? std::optional(bounded_of(*entry)) : std::nullopt;
 }
 
 constexpr const char* path_tracing_name = "path_tracing_seconds_at_equal_error";
 
 Json frame_json(const RelitFrame& frame) {
-  Json json{{"at", frame.at},
-            {"switched", frame.switched},
-            {"seconds", {{"relight", frame.relight_seconds}, {"shade", frame.shade_seconds}}},
-            {"termination", to_string(frame.termination)}};
+  Json object{{"at", frame.at},
+              {"switched", frame.switched},
+              {"seconds", {{"relight", frame.relight_seconds}, {"shade", frame.shade_seconds}}},
+              {"termination", to_string(frame.termination)}};
   for (const auto& [component, table] : frame.errors)
     for (const auto& [metric, error] : table) {
       if (!std::isfinite(error.value)) continue;
-      Json& value = json["errors"][to_string(component)][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
+      Json& value = object["errors"][to_string(component)][metric] = {{"value", error.value}, {"ci95", {error.low, error.high}}};
       if (error.noise_floor) value["noise_floor"] = *error.noise_floor;
       value["resolved"] = error.resolved;
     }
-  if (!frame.reference) return json;
-  json["reference"] = {{"seconds", frame.reference->seconds}, {"rmse", frame.reference->rmse}, {"paths", frame.reference->paths}};
-  json[path_tracing_name] = bounded_json(frame.path_tracing);
-  return json;
+  if (!frame.reference) return object;
+  object["reference"] = {
+      {"seconds", frame.reference->seconds}, {"rmse", frame.reference->rmse}, {"paths", frame.reference->paths}};
+  object[path_tracing_name] = bounded_json(frame.path_tracing);
+  return object;
 }
 
-RelitFrame frame_of(const Json& json) {
+RelitFrame frame_of(const Json& object) {
   RelitFrame frame;
-  read_field(json, "at", frame.at);
-  read_field(json, "switched", frame.switched);
-  read_field(object_field(json, "seconds"), "relight", frame.relight_seconds);
-  read_field(object_field(json, "seconds"), "shade", frame.shade_seconds);
-  if (const Json* name = field(json, "termination"))
+  read_field(object, "at", frame.at);
+  read_field(object, "switched", frame.switched);
+  read_field(object_field(object, "seconds"), "relight", frame.relight_seconds);
+  read_field(object_field(object, "seconds"), "shade", frame.shade_seconds);
+  if (const Json* name = field(object, "termination"))
     frame.termination = known_name(all_terminations, name->get<std::string>(), "termination");
-  for (const auto& [component, metrics] : object_field(json, "errors").items())
+  for (const auto& [component, metrics] : object_field(object, "errors").items())
     frame.errors[known_name(all_components, component, "errors")] = error_table_of(metrics);
-  if (const Json* reference = field(json, "reference")) {
+  if (const Json* reference = field(object, "reference")) {
     frame.reference.emplace();
     read_field(*reference, "seconds", frame.reference->seconds);
     read_field(*reference, "rmse", frame.reference->rmse);
     read_field(*reference, "paths", frame.reference->paths);
   }
-  frame.path_tracing = bounded_in(json, path_tracing_name).value_or(Bounded{});
+  frame.path_tracing = bounded_in(object, path_tracing_name).value_or(Bounded{});
   return frame;
 }
 
 Json summary_json(const RelightSummary& summary) {
-  Json json{{"frames", summary.frames},
-            {"prepare_seconds", summary.prepare_seconds},
-            {"median_seconds", {{"relight", summary.relight_seconds}, {"shade", summary.shade_seconds}}}};
-  if (summary.path_tracing_seconds) json[path_tracing_name] = bounded_json(*summary.path_tracing_seconds);
-  if (summary.times_cheaper) json["path_tracing_over_frame"] = bounded_json(*summary.times_cheaper);
-  if (summary.frames_that_pay) json["frames_that_pay_for_prepare"] = bounded_json(*summary.frames_that_pay);
-  return json;
+  Json object{{"frames", summary.frames},
+              {"prepare_seconds", summary.prepare_seconds},
+              {"median_seconds", {{"relight", summary.relight_seconds}, {"shade", summary.shade_seconds}}}};
+  if (summary.path_tracing_seconds) object[path_tracing_name] = bounded_json(*summary.path_tracing_seconds);
+  if (summary.times_cheaper) object["path_tracing_over_frame"] = bounded_json(*summary.times_cheaper);
+  if (summary.frames_that_pay) object["frames_that_pay_for_prepare"] = bounded_json(*summary.frames_that_pay);
+  return object;
 }
 
-RelightSummary summary_of(const Json& json) {
+RelightSummary summary_of(const Json& object) {
   RelightSummary summary;
-  read_field(json, "frames", summary.frames);
-  read_field(json, "prepare_seconds", summary.prepare_seconds);
-  read_field(object_field(json, "median_seconds"), "relight", summary.relight_seconds);
-  read_field(object_field(json, "median_seconds"), "shade", summary.shade_seconds);
-  summary.path_tracing_seconds = bounded_in(json, path_tracing_name);
-  summary.times_cheaper = bounded_in(json, "path_tracing_over_frame");
-  summary.frames_that_pay = bounded_in(json, "frames_that_pay_for_prepare");
+  read_field(object, "frames", summary.frames);
+  read_field(object, "prepare_seconds", summary.prepare_seconds);
+  read_field(object_field(object, "median_seconds"), "relight", summary.relight_seconds);
+  read_field(object_field(object, "median_seconds"), "shade", summary.shade_seconds);
+  summary.path_tracing_seconds = bounded_in(object, path_tracing_name);
+  summary.times_cheaper = bounded_in(object, "path_tracing_over_frame");
+  summary.frames_that_pay = bounded_in(object, "frames_that_pay_for_prepare");
   return summary;
 }
 
-RelightRecord relight_record_of(const Json& json) {
+RelightRecord relight_record_of(const Json& object) {
   RelightRecord record;
-  read_field(json, "scene", record.scene);
-  read_field(json, "method", record.method);
-  read_field(json, "seed", record.seed);
-  record.parameters = parameters_of(object_field(json, "parameters"));
-  for (const Json& frame : json.at("frames")) record.frames.push_back(frame_of(frame));
-  record.summary = summary_of(json.at("summary"));
+  read_field(object, "scene", record.scene);
+  read_field(object, "method", record.method);
+  read_field(object, "seed", record.seed);
+  record.parameters = parameters_of(object_field(object, "parameters"));
+  for (const Json& frame : object.at("frames")) record.frames.push_back(frame_of(frame));
+  record.summary = summary_of(object.at("summary"));
   return record;
 }
 
@@ -133,11 +134,11 @@ RelightSummary summarise(double prepare_seconds, const std::vector<RelitFrame>& 
 }
 
 Json to_json(const RelightRecord& record) {
-  Json json{{"scene", record.scene}, {"method", record.method}, {"seed", record.seed}};
-  if (!record.parameters.empty()) json["parameters"] = to_json(record.parameters);
-  for (const RelitFrame& frame : record.frames) json["frames"].push_back(frame_json(frame));
-  json["summary"] = summary_json(record.summary);
-  return json;
+  Json object{{"scene", record.scene}, {"method", record.method}, {"seed", record.seed}};
+  if (!record.parameters.empty()) object["parameters"] = to_json(record.parameters);
+  for (const RelitFrame& frame : record.frames) object["frames"].push_back(frame_json(frame));
+  object["summary"] = summary_json(record.summary);
+  return object;
 }
 
 RelightRecord read_relight_record(const std::filesystem::path& file) {

@@ -12,8 +12,8 @@ namespace gibench {
 namespace {
 
 /// Statements that change nothing of the surface's shape: normals, smoothing, and how a renderer is to show it.
-const std::set<std::string, std::less<>> without_effect{"vn", "s",        "mg",     "lod",    "bevel",      "c_interp",
-                                                        "vp", "d_interp", "usemap", "maplib", "shadow_obj", "trace_obj"};
+const std::set<std::string, std::less<>> statements_without_effect{
+    "vn", "s", "mg", "lod", "bevel", "c_interp", "vp", "d_interp", "usemap", "maplib", "shadow_obj", "trace_obj"};
 
 class ObjParser {
  public:
@@ -140,7 +140,7 @@ class ObjParser {
       obj_.libraries.emplace_back(rest);
     } else if (keyword == "l" || keyword == "p") {
       ++obj_.points_and_lines;
-    } else if (!without_effect.contains(keyword)) {
+    } else if (!statements_without_effect.contains(keyword)) {
       obj_.unknown_statements.insert(excerpt(keyword));
     }
   }
