@@ -37,15 +37,20 @@ TEST(Together, ShardsShareOneFolder) {
 
 TEST(Together, TwoRunsWithOneOutAreOneAndARefusal) {
   const Workshop shop;
-  const std::string run =
-      "run room.scene.json --method pathtracer --set samples=20000 --surface-samples 64 --pixel-samples 1 "
-      "--reference none --out out --force";
-  // The second begins when the folder of the first is there.
-  together(shop, run,
-           "--version >/dev/null; while [ ! -e out.partial ]; do sleep 0.01; done; " + std::string(GIBENCH_PROGRAM) + " " + run);
-  EXPECT_EQ(shop.read("one.status"), "0\n") << shop.read("one.err");
+  const auto run = [](const char* samples) {
+    return std::string(GIBENCH_PROGRAM) + " run room.scene.json --method pathtracer --set samples=" + samples +
+           " --surface-samples 64 --pixel-samples 1 --reference none --out out --force";
+  };
+  // The first would work for hours: it is interrupted when the second, begun once the first one's folder is there, has ended.
+  shop.gibench({"--version"},
+               run("1000000000") +
+                   " >/dev/null 2>one.err & first=$!; while [ ! -e out.partial ] && kill -0 $first; do sleep 0.01; done; " +
+                   run("1") + " >/dev/null 2>two.err; echo $? >two.status; kill -INT $first; wait $first; echo $? >one.status; " +
+                   run("1") + " >/dev/null 2>three.err; echo $? >three.status;");
   EXPECT_EQ(shop.read("two.status"), "2\n");
   EXPECT_THAT(shop.read("two.err"), HasSubstr("gibench: out: another gibench works in this folder; wait for it to end"));
+  EXPECT_EQ(shop.read("one.status"), "4\n") << shop.read("one.err");
+  EXPECT_EQ(shop.read("three.status"), "0\n") << shop.read("three.err");
   EXPECT_TRUE(shop.has("out/result.json"));
   EXPECT_FALSE(shop.has("out.lock"));
 }
