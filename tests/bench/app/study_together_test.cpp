@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 /// Both calls, as a shell begins them together; their statuses and stderr in files one.* and two.*.
 void together(const Workshop& shop, const std::string& one, const std::string& two) {
-  const std::string program = GIBENCH_PROGRAM;
+  const std::string program = "'" GIBENCH_PROGRAM "'";
   const auto call = [&](const std::string& arguments, const std::string& name) {
     return "(" + program + " " + arguments + " >/dev/null 2>" + name + ".err; echo $? >" + name + ".status) & ";
   };
@@ -38,7 +38,7 @@ TEST(Together, ShardsShareOneFolder) {
 TEST(Together, TwoRunsWithOneOutAreOneAndARefusal) {
   const Workshop shop;
   const auto run = [](const char* samples) {
-    return std::string(GIBENCH_PROGRAM) + " run room.scene.json --method pathtracer --set samples=" + samples +
+    return std::string("'" GIBENCH_PROGRAM "' run room.scene.json --method pathtracer --set samples=") + samples +
            " --surface-samples 64 --pixel-samples 1 --reference none --out out --force";
   };
   // The first would work for hours: it is interrupted when the second, begun once the first one's folder is there, has ended.
