@@ -48,7 +48,7 @@ ExposureRange parse_exposures(const std::string& text) {
   return range;
 }
 
-Json to_json(const ImageComparison& comparison) {
+Json comparison_json(const ImageComparison& comparison) {
   Json json;
   for (const auto& [name, value] : comparison.values) json[name] = {{"value", value}};
   const FlipStatistics& flip = comparison.flip;
@@ -79,7 +79,7 @@ ExitStatus compare(const CompareOptions& options, const CommonOptions& common) {
   how.pixels_per_degree = options.pixels_per_degree;
   if (!options.exposures.empty()) how.exposures = parse_exposures(options.exposures);
   const ImageFile reference = read_compared(options.reference, common.quiet), test = read_compared(options.test, common.quiet);
-  const Json result = to_json(compare_images(reference, options.reference, test, options.test, how));
+  const Json result = comparison_json(compare_images(reference, options.reference, test, options.test, how));
   if (common.json) print_json(result);
   else print_table(result);
   return ExitStatus::done;

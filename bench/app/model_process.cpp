@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The first argument of such a child: no option of the program, and in no help.
-constexpr std::string_view call = "--as-model-process";
+constexpr std::string_view child_call = "--as-model-process";
 
 /// What the child has to say, in the first byte of its answer.
 enum class Answer : char { model = 'M', bad_input = 'I', missing_file = 'F', failed = 'W' };
@@ -76,7 +76,8 @@ Model model_of_answer(std::string_view answer, const std::string& place) {
 
 Model read_in_child(const fs::path& file, const std::string& place, bool with_materials, const ModelLimits& limits) {
   const MemoryFile answer;
-  const std::vector<std::string> arguments{std::string(call), file.string(), place, with_materials ? "materials" : "geometry"};
+  const std::vector<std::string> arguments{std::string(child_call), file.string(), place,
+                                           with_materials ? "materials" : "geometry"};
   const ChildLimits child_limits{static_cast<double>(limits.seconds), std::uint64_t{limits.mebibytes} << 20U};
   const ChildResult child = run_child(arguments, child_limits, {answer.path(), "/dev/null", {}});
   stop_if_cancelled();
@@ -128,7 +129,7 @@ ModelReader reader_in_child(const ModelLimits& limits) {
 }
 
 std::optional<int> answer_as_model_process(int argc, char** argv, const ModelReader& reader) {
-  if (argc != 5 || call != argv[1]) return std::nullopt;
+  if (argc != 5 || child_call != argv[1]) return std::nullopt;
   die_with_parent();
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);

@@ -18,22 +18,22 @@ namespace {
 
 using Pixels = std::vector<Rgb>;
 
-constexpr int flip_width = 64, flip_height = 48;
+constexpr int width = 64, height = 48;
 
-Pixels constant(const Rgb& colour) { return Pixels(flip_width * flip_height, colour); }
+Pixels constant(const Rgb& colour) { return Pixels(width * height, colour); }
 
 /// A lit scene of gradients, edges and a lamp of 40; `error` adds noise, a tint and a missing shadow.
 Pixels made_picture(bool error) {
   Pixels pixels;
-  for (int y = 0; y < flip_height; ++y)
-    for (int x = 0; x < flip_width; ++x) {
-      const auto u = static_cast<float>(x) / flip_width, v = static_cast<float>(y) / flip_height;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto u = static_cast<float>(x) / width, v = static_cast<float>(y) / height;
       Rgb pixel(0.1F + 0.6F * u, 0.15F + 0.5F * v, 0.3F * (1.0F - u));
       const bool in_lamp = x >= 40 && x < 48 && y < 6, in_shadow = x >= 10 && x < 24 && y >= 20 && y < 36;
       if (in_lamp) pixel = Rgb(40.0F, 34.0F, 17.0F);
       if (in_shadow) pixel *= error && x > 17 ? 0.7F : 0.15F;
       if (error) {
-        RandomStream random(9, 1, static_cast<std::uint64_t>(y * flip_width + x));
+        RandomStream random(9, 1, static_cast<std::uint64_t>(y * width + x));
         pixel *= 0.9F + 0.2F * random.next_float();
         pixel.r *= 1.04F;
       }
@@ -46,14 +46,14 @@ float largest(const std::vector<float>& errors) { return *std::max_element(error
 
 TEST(Flip, EqualPicturesHaveNoError) {
   const Pixels picture = made_picture(true);
-  EXPECT_EQ(largest(flip_map(flip_width, flip_height, picture, picture)), 0.0F);
-  EXPECT_EQ(largest(hdr_flip_map(flip_width, flip_height, picture, picture, {-2.0F, 4.0F, 6})), 0.0F);
+  EXPECT_EQ(largest(flip_map(width, height, picture, picture)), 0.0F);
+  EXPECT_EQ(largest(hdr_flip_map(width, height, picture, picture, {-2.0F, 4.0F, 6})), 0.0F);
 }
 
 TEST(Flip, IsSymmetricAndInRange) {
   const Pixels a = made_picture(false), b = made_picture(true);
-  const std::vector<float> errors = flip_map(flip_width, flip_height, a, b);
-  EXPECT_EQ(errors, flip_map(flip_width, flip_height, b, a));
+  const std::vector<float> errors = flip_map(width, height, a, b);
+  EXPECT_EQ(errors, flip_map(width, height, b, a));
   EXPECT_GE(*std::min_element(errors.begin(), errors.end()), 0.0F);
   EXPECT_LE(largest(errors), 1.0F);
 }
@@ -69,16 +69,16 @@ TEST(Flip, ConstantPicturesHaveTheErrorOfTheirColours) {
   const Rgb colours[] = {Rgb(0.0F), Rgb(1.0F), {0, 1, 0}, {0, 0, 1}, {0.2F, 0.3F, 0.4F}, {0.21F, 0.3F, 0.41F}};
   for (const Rgb& a : colours)
     for (const Rgb& b : colours) {
-      const std::vector<float> errors = flip_map(flip_width, flip_height, constant(a), constant(b));
+      const std::vector<float> errors = flip_map(width, height, constant(a), constant(b));
       for (const float error : errors) ASSERT_NEAR(error, error_of_constants(a, b), 2e-4);
     }
 }
 
 TEST(Flip, BlackAgainstWhite) {
   // L* = 0 against 100, no chroma: 100^0.7 = 25.1189; green against blue, the largest difference, is 308.1^0.7 = 41.2.
-  const std::vector<float> errors = flip_map(flip_width, flip_height, constant(Rgb(0.0F)), constant(Rgb(1.0F)));
+  const std::vector<float> errors = flip_map(width, height, constant(Rgb(0.0F)), constant(Rgb(1.0F)));
   EXPECT_NEAR(errors[0], 0.967417, 1e-4);
-  const std::vector<float> most = flip_map(flip_width, flip_height, constant({0, 1, 0}), constant({0, 0, 1}));
+  const std::vector<float> most = flip_map(width, height, constant({0, 1, 0}), constant({0, 0, 1}));
   EXPECT_NEAR(most[0], 1.0F, 1e-4);
 }
 
@@ -86,9 +86,9 @@ TEST(Flip, ABlobIsFoundWhereItIs) {
   const Pixels reference = constant(Rgb(0.25F));
   Pixels test = reference;
   for (int y = 20; y < 28; ++y)
-    for (int x = 30; x < 38; ++x) test[static_cast<std::size_t>(y * flip_width + x)] = {0.6F, 0.1F, 0.1F};
-  const std::vector<float> errors = flip_map(flip_width, flip_height, reference, test);
-  const auto at = [&](int x, int y) { return errors[static_cast<std::size_t>(y * flip_width + x)]; };
+    for (int x = 30; x < 38; ++x) test[static_cast<std::size_t>(y * width + x)] = {0.6F, 0.1F, 0.1F};
+  const std::vector<float> errors = flip_map(width, height, reference, test);
+  const auto at = [&](int x, int y) { return errors[static_cast<std::size_t>(y * width + x)]; };
   EXPECT_GT(at(34, 24), 0.5F);
   EXPECT_LT(at(5, 5), 1e-3F) << "far from the blob, beyond the filters' reach";
   EXPECT_LT(at(60, 44), 1e-3F);
@@ -96,10 +96,9 @@ TEST(Flip, ABlobIsFoundWhereItIs) {
 
 TEST(Flip, FarAwayNothingOfAFinePatternIsSeen) {
   Pixels checkers;
-  for (int i = 0; i < flip_width * flip_height; ++i)
-    checkers.push_back(Rgb((i % flip_width + i / flip_width) % 2 == 0 ? 0.0F : 1.0F));
+  for (int i = 0; i < width * height; ++i) checkers.push_back(Rgb((i % width + i / width) % 2 == 0 ? 0.0F : 1.0F));
   const Pixels grey = constant(Rgb(0.5F));  // the same mean light
-  const auto mean = [&](float ppd) { return flip_statistics(flip_map(flip_width, flip_height, grey, checkers, ppd)).mean; };
+  const auto mean = [&](float ppd) { return flip_statistics(flip_map(width, height, grey, checkers, ppd)).mean; };
   EXPECT_LT(mean(120.0F), 0.25 * mean(10.0F));
 }
 
@@ -136,11 +135,11 @@ TEST(Flip, StatisticsByHand) {
 
 TEST(HdrFlip, IsTheLargestOverTheExposures) {
   const Pixels a = made_picture(false), b = made_picture(true);
-  const std::vector<float> all = hdr_flip_map(flip_width, flip_height, a, b, {-2.0F, 2.0F, 3});
+  const std::vector<float> all = hdr_flip_map(width, height, a, b, {-2.0F, 2.0F, 3});
   std::vector<float> expected(all.size(), 0.0F);
   for (const float exposure : {-2.0F, 0.0F, 2.0F}) {
     const std::vector<float> one =
-        flip_map(flip_width, flip_height, tone_mapped(a, exposure, ToneMapper::aces), tone_mapped(b, exposure, ToneMapper::aces));
+        flip_map(width, height, tone_mapped(a, exposure, ToneMapper::aces), tone_mapped(b, exposure, ToneMapper::aces));
     for (std::size_t i = 0; i < one.size(); ++i) expected[i] = std::max(expected[i], one[i]);
   }
   EXPECT_EQ(all, expected);
@@ -200,13 +199,11 @@ void expect_pinned(const FlipStatistics& s, const FlipStatistics& pinned) {
 
 TEST(Flip, MadePairKeepsItsValues) {
   const Pixels a = made_picture(false), b = made_picture(true);
-  expect_pinned(flip_statistics(flip_map(flip_width, flip_height, a, b)),
-                {0.111115, 0.104614, 0.082245, 0.370619, 0.011051, 0.842260});
-  expect_pinned(flip_statistics(flip_map(flip_width, flip_height, a, b, 20.0F)),
-                {0.163215, 0.177923, 0.131001, 0.242736, 0.0, 0.902448});
-  expect_pinned(flip_statistics(hdr_flip_map(flip_width, flip_height, a, b, {-3.0F, 4.0F, 8})),
+  expect_pinned(flip_statistics(flip_map(width, height, a, b)), {0.111115, 0.104614, 0.082245, 0.370619, 0.011051, 0.842260});
+  expect_pinned(flip_statistics(flip_map(width, height, a, b, 20.0F)), {0.163215, 0.177923, 0.131001, 0.242736, 0.0, 0.902448});
+  expect_pinned(flip_statistics(hdr_flip_map(width, height, a, b, {-3.0F, 4.0F, 8})),
                 {0.114464, 0.096968, 0.072527, 0.587479, 0.014446, 0.948550});
-  expect_pinned(flip_statistics(hdr_flip_map(flip_width, flip_height, a, b, automatic_exposures(a))),
+  expect_pinned(flip_statistics(hdr_flip_map(width, height, a, b, automatic_exposures(a))),
                 {0.114080, 0.096065, 0.072504, 0.599494, 0.022987, 0.959388});
 }
 

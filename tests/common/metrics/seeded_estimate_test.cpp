@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<Rgb>;
 
-constexpr int seeded_experiments = 2000;
+constexpr int experiments = 2000;
 
 /// A method whose error is smooth, of a size that its seed draws, and noisy at every point.
 struct SeededMethod {
@@ -68,22 +68,22 @@ struct Case {
 double coverage(const Case& tried) {
   const double exact = std::sqrt(exact_square(tried.method));
   int inside = 0;
-  for (int e = 1; e <= seeded_experiments; ++e) {
+  for (int e = 1; e <= experiments; ++e) {
     const Drawn all = drawn(tried.method, tried.points, tried.seeds, static_cast<std::uint64_t>(e));
     const Replicas reference = test::noisy_replicas(all.truth, 8, 0.05F, static_cast<std::uint64_t>(e));
     const ErrorValue error = value_errors(all.answers, reference).at("rmse");
     inside += error.low <= exact && exact <= error.high ? 1 : 0;
   }
-  return static_cast<double>(inside) / seeded_experiments;
+  return static_cast<double>(inside) / experiments;
 }
 
 class SeedCoverage : public testing::TestWithParam<Case> {};
 
 TEST_P(SeedCoverage, IsNinetyFivePercent) {
   // What 2000 experiments keep to but for one in a million.
-  const boost::math::binomial counts(seeded_experiments, 0.95);
+  const boost::math::binomial counts(experiments, 0.95);
   const double share = coverage(GetParam());
-  EXPECT_GE(share, boost::math::quantile(counts, 1e-6) / seeded_experiments);
+  EXPECT_GE(share, boost::math::quantile(counts, 1e-6) / experiments);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, SeedCoverage,
@@ -103,7 +103,7 @@ TEST(SeedCoverage, OfDifferencesIsNinetyFivePercent) {
   const SeededMethod a{0.1F, 0.03F, 0.05F}, b{0.08F, 0.02F, 0.0F};
   const double exact = exact_square(a) - exact_square(b);
   int inside = 0, without_seeds = 0;
-  for (int e = 1; e <= seeded_experiments; ++e) {
+  for (int e = 1; e <= experiments; ++e) {
     const auto experiment = static_cast<std::uint64_t>(e);
     const Drawn of_a = drawn(a, 400, 4, experiment);
     std::vector<Values> of_b(4, of_a.truth);  // at the same places, with sizes of their own
@@ -123,9 +123,9 @@ TEST(SeedCoverage, OfDifferencesIsNinetyFivePercent) {
     first.seeds = second.seeds = {0.0};
     without_seeds += holds();
   }
-  EXPECT_GE(inside / static_cast<double>(seeded_experiments),
-            boost::math::quantile(boost::math::binomial(seeded_experiments, 0.95), 1e-6) / experiments);
-  EXPECT_LT(without_seeds, 0.9 * seeded_experiments);
+  EXPECT_GE(inside / static_cast<double>(experiments),
+            boost::math::quantile(boost::math::binomial(experiments, 0.95), 1e-6) / experiments);
+  EXPECT_LT(without_seeds, 0.9 * experiments);
 }
 
 MetricEstimate estimate_of(const std::vector<double>& parts) {

@@ -109,7 +109,7 @@ TEST(SurfaceDomain, WholeIsWhatAreaUniformSamplesGive) {
 }
 
 /// A room of 1 m with a lamp in a shell of 3 m, both facing inwards, and a two-sided screen in the room.
-Scene room_in_a_shell(bool with_lamp = true) {
+Scene room_in_an_outer_shell(bool with_lamp = true) {
   made::SceneBuilder builder;
   const auto white = builder.diffuse("white", Rgb(0.5F));
   builder.room("room", white, {0, 0, 0}, {1, 1, 1}).room("shell", white, {-1, -1, -1}, {2, 2, 2});
@@ -119,7 +119,7 @@ Scene room_in_a_shell(bool with_lamp = true) {
 }
 
 TEST(SurfaceDomain, WhatIsSealedFromLightAndCamerasIsNoPartOfAll) {
-  const World world(room_in_a_shell(), 1);
+  const World world(room_in_an_outer_shell(), 1);
   DomainFacts facts;
   const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 4000, 1, 2, &facts);
   ASSERT_EQ(all.size(), 4000U);
@@ -133,7 +133,7 @@ TEST(SurfaceDomain, WhatIsSealedFromLightAndCamerasIsNoPartOfAll) {
 }
 
 TEST(SurfaceDomain, WhatIsSealedDoesNotDependOnSeedAndThreads) {
-  const World world(room_in_a_shell(), 1);
+  const World world(room_in_an_outer_shell(), 1);
   DomainFacts one, other;
   const auto samples = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 500, 1, 1, &one);
   const auto again = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 500, 1, 3);
@@ -143,7 +143,7 @@ TEST(SurfaceDomain, WhatIsSealedDoesNotDependOnSeedAndThreads) {
 }
 
 TEST(SurfaceDomain, WithoutLightAllIsTheWholeSurface) {
-  const World world(room_in_a_shell(false), 1);
+  const World world(room_in_an_outer_shell(false), 1);
   DomainFacts facts;
   const auto all = domain_samples(world, {SurfaceDomain::Kind::all, {}}, 2000, 1, 2, &facts);
   EXPECT_NEAR(static_cast<double>(count_on(world, all, "shell")) / 2000.0, 54.0 / 61.08, 0.01);
