@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::ordered_json;
 
-const std::string first = "room.pathtracer-samples=1", other = "room.pathtracer-samples=4";
+const std::string damaged_run = "room.pathtracer-samples=1", other = "room.pathtracer-samples=4";
 
 std::string file_of(const std::string& run, const std::string& name) { return "out/runs/" + run + "/" + name; }
 
@@ -44,14 +44,14 @@ class StudyDamage : public testing::Test {
     EXPECT_EQ(study(shop_, small_study()).status, 0);
     answers_ = answers_in(shop_, "out");
     EXPECT_EQ(answers_.size(), 2U);
-    record_ = shop_.read(file_of(first, "result.json")), other_record_ = shop_.read(file_of(other, "result.json"));
+    record_ = shop_.read(file_of(damaged_run, "result.json")), other_record_ = shop_.read(file_of(other, "result.json"));
   }
 
   /// The study ends well, the first run is there again, and the other is as it was.
   void expect_mended(const Outcome& outcome, const std::string& what) const {
     EXPECT_EQ(outcome.status, 0) << what << outcome.error;
     EXPECT_EQ(answers_in(shop_, "out"), answers_) << what;
-    EXPECT_TRUE(shop_.has(file_of(first, "image.exr"))) << what;
+    EXPECT_TRUE(shop_.has(file_of(damaged_run, "image.exr"))) << what;
     EXPECT_EQ(shop_.read(file_of(other, "result.json")), other_record_) << what << ": it was whole";
   }
 
@@ -62,7 +62,7 @@ class StudyDamage : public testing::Test {
 
 TEST_F(StudyDamage, OfAResultMakesItAgain) {
   for (const char* name : {"result.json", "image.exr", "run.json"}) {
-    const std::string file = file_of(first, name), whole = shop_.read(file);
+    const std::string file = file_of(damaged_run, name), whole = shop_.read(file);
     for (const std::string& text : {cut_in_half(whole), std::string()}) {
       shop_.write(file, text);
       const Outcome outcome = study(shop_, small_study());
@@ -77,8 +77,8 @@ TEST_F(StudyDamage, OfAResultMakesItAgain) {
 TEST_F(StudyDamage, OfANumberIsSeenByStudyAndReport) {
   Json changed = Json::parse(record_);
   changed["errors"]["indirect"]["surface"]["relative_rmse"]["value"] = 0.987654;
-  shop_.write(file_of(first, "result.json"), changed.dump(2) + "\n");
-  const std::string told = "runs/" + first + "/result.json: is not as it was written; run the study again";
+  shop_.write(file_of(damaged_run, "result.json"), changed.dump(2) + "\n");
+  const std::string told = "runs/" + damaged_run + "/result.json: is not as it was written; run the study again";
   const Outcome report = shop_.gibench({"report", "out"});
   EXPECT_EQ(report.status, 0) << report.error;
   EXPECT_THAT(report.error, HasSubstr(told));
@@ -88,9 +88,9 @@ TEST_F(StudyDamage, OfANumberIsSeenByStudyAndReport) {
 }
 
 TEST_F(StudyDamage, OfAPictureIsSeenByTheReport) {
-  fs::remove(shop_ / file_of(first, "image.exr"));
+  fs::remove(shop_ / file_of(damaged_run, "image.exr"));
   EXPECT_THAT(shop_.gibench({"report", "out"}).error,
-              HasSubstr("run " + first + ": runs/" + first + "/image.exr: is missing; run the study again"));
+              HasSubstr("run " + damaged_run + ": runs/" + damaged_run + "/image.exr: is missing; run the study again"));
 }
 
 TEST_F(StudyDamage, OfAReferenceCostsNoResult) {
@@ -100,11 +100,11 @@ TEST_F(StudyDamage, OfAReferenceCostsNoResult) {
     const Outcome outcome = study(shop_, small_study());
     expect_mended(outcome, name);
     EXPECT_THAT(outcome.error, HasSubstr("room: made anew: " + store + "/" + name + ": the stored reference is damaged"));
-    EXPECT_EQ(shop_.read(file_of(first, "result.json")), record_) << "no run is done again";
+    EXPECT_EQ(shop_.read(file_of(damaged_run, "result.json")), record_) << "no run is done again";
   }
   fs::remove(shop_ / (store + "/meta.json"));
   expect_mended(study(shop_, small_study()), "no meta.json");
-  EXPECT_EQ(shop_.read(file_of(first, "result.json")), record_);
+  EXPECT_EQ(shop_.read(file_of(damaged_run, "result.json")), record_);
 }
 
 TEST_F(StudyDamage, OfTheWrittenReferenceIsMendedFromTheStore) {
@@ -114,7 +114,7 @@ TEST_F(StudyDamage, OfTheWrittenReferenceIsMendedFromTheStore) {
     const Outcome outcome = study(shop_, small_study());
     expect_mended(outcome, "reference.json");
     EXPECT_EQ(shop_.read("out/references/room/reference.json"), whole);
-    EXPECT_EQ(shop_.read(file_of(first, "result.json")), record_);
+    EXPECT_EQ(shop_.read(file_of(damaged_run, "result.json")), record_);
     shop_.write("out/references/room/reference.json", cut_in_half(whole));
   }
 }
@@ -127,9 +127,9 @@ TEST_F(StudyDamage, OfAReferenceThatCannotBeMadeAgainIsTold) {
   const Outcome outcome = study(shop_, json);
   EXPECT_EQ(outcome.status, 4);
   EXPECT_THAT(outcome.error, HasSubstr("gibench: small: not done: room: no reference: stopped at its time limit"));
-  EXPECT_EQ(shop_.read(file_of(first, "result.json")), record_);
+  EXPECT_EQ(shop_.read(file_of(damaged_run, "result.json")), record_);
   const Json manifest = shop_.read_json("out/manifest.json");
-  EXPECT_EQ(run_of(manifest, first)["status"], "done");
+  EXPECT_EQ(run_of(manifest, damaged_run)["status"], "done");
   EXPECT_THAT(manifest["scenes"][0]["message"].get<std::string>(), HasSubstr("no reference"));
   EXPECT_FALSE(shop_.read_json(file_of("room.pathtracer-samples=2", "result.json")).contains("errors"))
       << "there was nothing to hold it against";
