@@ -11,7 +11,7 @@
 namespace gibench::meshless {
 namespace {
 
-constexpr int rays = 512;
+constexpr int gathered_rays = 512;
 
 /// The same irradiance everywhere, or on some triangles only.
 class ConstantSender : public Sender {
@@ -30,7 +30,7 @@ Estimate gathered(const World& world, const SurfaceSample& receiver, const Sende
   Task task;
   RayStream stream = task.rays(world);
   GatherBuffers buffers;
-  return Gatherer(world, rays).irradiance(receiver, key, sender, stream, buffers);
+  return Gatherer(world, gathered_rays).irradiance(receiver, key, sender, stream, buffers);
 }
 
 SurfaceSample sample_on(const World& world, std::uint32_t triangle, Vec2 barycentrics = {0.3F, 0.3F}) {
@@ -114,7 +114,7 @@ TEST(Gather, ItsSlopeIsThatOfNearThingsUnlikeTheRest) {
   made::SceneBuilder builder;
   builder.room("room", builder.diffuse("grey", Rgb(0.5F)), {0, 0, 0}, {2, 1, 3});
   const World world(builder.build("room"), 1);
-  const Gatherer gatherer(world, rays);
+  const Gatherer gatherer(world, gathered_rays);
   Task task;
   RayStream stream = task.rays(world);
   GatherBuffers buffers;

@@ -13,7 +13,7 @@
 namespace gibench::meshless {
 namespace {
 
-Vec3 random_direction(std::uint64_t index) { return test::random_direction(0, index); }
+Vec3 random_direction(std::uint64_t index) { return gibench::test::random_direction(0, index); }
 
 TEST(Weights, KernelIsThatOfEquation13) {
   EXPECT_FLOAT_EQ(kernel(0.0F), 1.0F);
