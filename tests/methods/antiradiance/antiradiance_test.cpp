@@ -288,6 +288,24 @@ TEST(Antiradiance, FurnaceNeverGainsEnergyAtAnyIterationAndBins) {
       }
 }
 
+/// Twelve sheets in line above a lit square: with all bounces at once light grows without end (bin_transport_test.cpp).
+TEST(Antiradiance, ManySurfacesInLineConvergeBounceByBounce) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  for (int i = 0; i < 12; ++i) {
+    const float y = 0.3F + 0.2F * static_cast<float>(i);
+    builder.quad("sheet " + std::to_string(i), white, {{{0.0F, y, 0.0F}, {1.0F, y, 0.0F}, {1.0F, y, 1.0F}, {0.0F, y, 1.0F}}});
+  }
+  builder.quad("lit", white, {{{0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}}});
+  builder.light(PointLight{{0.5F, 0.2F, 0.5F}, Rgb(1.0F)});
+  const Scene scene = builder.build("sheets in line");
+  Solved solved(scene, {{"elements", "600"}}), traced(scene, {{"mode", "radiosity"}, {"elements", "600"}});
+  ASSERT_TRUE(succeeded(solved.lit.termination)) << solved.prepared.message << solved.lit.message;
+  EXPECT_NE(solved.lit.message.find("bounce by bounce"), std::string::npos) << solved.lit.message;
+  const auto samples = solved.samples();
+  EXPECT_LT(difference(solved.irradiance(samples), traced.irradiance(samples)), 0.2);
+}
+
 TEST(Antiradiance, SceneOfManySheetsEndsInSuccessOrAClearReport) {
   made::SceneBuilder builder;
   const std::uint32_t white = builder.diffuse("white", Rgb(0.95F));
