@@ -58,6 +58,7 @@ std::vector<Preset> presets() {
         {"crease_degrees", "180"},
         {"backface_rays", "0"},
         {"closure_rays", "0"},
+        {"split_partial", "false"},
         {"near_field", "discs"},
         {"bin_winner", "links"},
         {"passes", "2"},

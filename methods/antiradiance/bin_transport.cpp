@@ -253,6 +253,24 @@ void BinTransport::unoccluded(Vector& incident, Task& task) {
   });
 }
 
+/// J makes radiance −1 of an irradiance of one on the projected solid angle of each bin.
+std::vector<float> BinTransport::depths(Task& task) {
+  Vector ones(vector_size()), arriving;
+  task.parallel_chunks(hierarchy_.leaf_count(), leaf_chunk, [&](const ChunkRange& range) {
+    std::vector<float> projected(bins_.count());
+    for (std::size_t leaf = range.begin; leaf < range.end; ++leaf) {
+      projected_bins(bins_, hierarchy_.nodes()[hierarchy_.leaf_node(leaf)].normal, projected);
+      for (std::size_t i = 0; i < row_; ++i) ones.data()[leaf * row_ + i] = std::fabs(projected[i / channels]);
+    }
+  });
+  transport_through(ones, arriving, task);
+  std::vector<Rgb> fronts(hierarchy_.leaf_count());
+  irradiance(arriving, fronts, task);
+  std::vector<float> depths;
+  for (const Rgb& front : fronts) depths.push_back(-front.g / pi);
+  return depths;
+}
+
 void BinTransport::irradiance(const Vector& arriving, std::span<Rgb> fronts, Task& task) const {
   task.parallel_chunks(hierarchy_.leaf_count(), leaf_chunk, [&](const ChunkRange& range) {
     for (std::size_t leaf = range.begin; leaf < range.end; ++leaf) {

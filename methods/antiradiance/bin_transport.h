@@ -45,6 +45,10 @@ class BinTransport {
   /// U K alone: the next bounce.
   void transport_reflected(const Vector& arriving, const Reflection& reflection, Vector& incident, Task& task);
 
+  /// Of every leaf how many surfaces stand one behind another where its front looks, in the mean over its hemisphere: what the
+  /// links bring of radiance one from everything, over one.
+  std::vector<float> depths(Task& task);
+
   /// Irradiance on the fronts, W/m².
   void irradiance(const Vector& arriving, std::span<Rgb> fronts, Task& task) const;
 

@@ -44,8 +44,8 @@ bool nothing_between(const World& world, const CellPoint& from, const CellPoint&
          std::find(faces.begin(), faces.end(), world.scene().triangle_face[hit.triangle]) != faces.end();
 }
 
-bool part_cell(const World& world, std::span<CellPoint> points, const Vec3& vertex, std::span<const std::uint32_t> faces,
-               RayStream& rays) {
+bool part_cell(const World& world, std::span<CellPoint> points, std::span<const CellPoint> beside_vertex,
+               std::span<const std::uint32_t> faces, RayStream& rays) {
   std::vector<std::size_t> exposed;
   for (std::size_t k = 0; k < points.size(); ++k)
     if (points[k].exposed) exposed.push_back(k);
@@ -62,12 +62,23 @@ bool part_cell(const World& world, std::span<CellPoint> points, const Vec3& vert
       if (groups.of(exposed[i]) != groups.of(exposed[j]) &&
           nothing_between(world, points[exposed[i]], points[exposed[j]], faces, rays))
         groups.join(exposed[i], exposed[j]);
-  const std::size_t nearest = *std::min_element(exposed.begin(), exposed.end(), [&](std::size_t a, std::size_t b) {
-    return squared_distance(points[a], vertex) < squared_distance(points[b], vertex);
+  // By a point nearest to the vertex alone the cell might be taken for what lies beyond.
+  std::sort(exposed.begin(), exposed.end(), [&](std::size_t a, std::size_t b) {
+    const Vec3& vertex = beside_vertex.front().origin;
+    const float da = squared_distance(points[a], vertex), db = squared_distance(points[b], vertex);
+    return da != db ? da < db : a < b;
   });
+  std::size_t kept = exposed.front();
+  for (const CellPoint& start : beside_vertex) {
+    const auto seen = std::find_if(exposed.begin(), exposed.end(),
+                                   [&](std::size_t k) { return nothing_between(world, start, points[k], faces, rays); });
+    if (seen == exposed.end()) continue;
+    kept = *seen;
+    break;
+  }
   bool parted = false;
   for (const std::size_t k : exposed)
-    if (groups.of(k) != groups.of(nearest)) points[k].exposed = false, parted = true;
+    if (groups.of(k) != groups.of(kept)) points[k].exposed = false, parted = true;
   return parted;
 }
 

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "methods/antiradiance/bin_transport.h"
+#include "methods/antiradiance/element_count.h"
 #include "methods/antiradiance/exchange.h"
 #include "methods/antiradiance/implicit.h"
+#include "methods/antiradiance/link_tracing.h"
 #include "methods/antiradiance/near_directions.h"
+#include "methods/antiradiance/parted_triangles.h"
 #include "methods/antiradiance/refinement.h"
 #include "methods/antiradiance/report_message.h"
 #include "methods/antiradiance/visibility.h"
@@ -23,6 +27,7 @@ constexpr double coarser = 1.5;  // times, from one oracle to the next
 // links' pieces and all links' directions (measured: README.md, Memory).
 constexpr double bytes_a_link = 20.0, bytes_a_masked_link = 52.0;
 constexpr int most_attempts = 24;
+constexpr float partial_share = 0.25F;  // of the tolerance: for links that other surfaces hide in part
 constexpr double krylov_vectors = 8.0;
 constexpr double bytes_an_element = 1500.0;      // with all but links and tables (README.md, Memory)
 constexpr double bytes_a_merged_vertex = 800.0;  // of a mesh whose vertices share elements, while their cells are cut
@@ -40,15 +45,42 @@ SamplingMeshOptions mesh_options(const World& world, const Settings& settings) {
   return options;
 }
 
-/// With `merge` only where the scene's own vertices, before any face is cut, are more than the elements wanted.
-Settings with_merging_decided(const World& world, Settings settings) {
-  if (!settings.merge) return settings;
-  const double corners = 3.0 * static_cast<double>(world.scene().triangles.size());
-  SamplingMeshOptions uncut = mesh_options(world, settings);
-  uncut.edge_length = std::numeric_limits<double>::infinity();
-  // Two sides of each corner at most.
-  settings.merge = 2.0 * corners > settings.elements &&
-                   SamplingMesh(world, uncut).vertices().size() > static_cast<std::size_t>(settings.elements);
+/// What the scene has of its own, before any face is cut.
+struct OwnDetail {
+  std::optional<SamplingMesh> mesh;
+  std::size_t vertices, corners;
+  float longest_edge = 0.0F;  ///< metres
+
+  OwnDetail(const World& world, const Settings& settings) {
+    SamplingMeshOptions options;
+    options.crease_degrees = settings.crease_degrees;
+    options.keep_quads = true;
+    mesh.emplace(world, options);
+    vertices = mesh->vertices().size(), corners = corner_count(*mesh);
+    for (const MeshFace& face : mesh->faces())
+      for (std::size_t k = 0; k < face.corners.size(); ++k) {
+        const auto at = [&](std::size_t corner) { return mesh->vertices()[face.corners[corner % face.corners.size()]].position; };
+        longest_edge = std::max(longest_edge, glm::length(at(k + 1) - at(k)));
+      }
+  }
+};
+
+/// The mesh cut as the settings say: the scene's own, which is taken away, where that is fine enough.
+SamplingMesh cut_mesh(const World& world, const Settings& settings, OwnDetail& detail) {
+  const SamplingMeshOptions options = mesh_options(world, settings);
+  if (!detail.mesh || static_cast<double>(detail.longest_edge) > options.edge_length) return SamplingMesh(world, options);
+  SamplingMesh own = std::move(*detail.mesh);
+  detail.mesh.reset();
+  return own;
+}
+
+/// With as many elements as the scene needs, where that is asked for; with `merge` only where the scene's own vertices are more
+/// than the elements wanted.
+Settings decided(const OwnDetail& detail, Settings settings) {
+  // Tables of light by direction are dear, and the links' masks: there a room's elements have to do.
+  if (settings.elements == 0)
+    settings.elements = settings.mode == Mode::antiradiance ? elements_of_a_room : elements_for(detail.corners);
+  settings.merge = settings.merge && detail.vertices > static_cast<std::size_t>(settings.elements);
   return settings;
 }
 
@@ -57,9 +89,22 @@ bool merges(const SamplingMesh& mesh, const Settings& settings) {
   return settings.merge && static_cast<double>(mesh.vertices().size()) > many_more * settings.elements;
 }
 
-Merging merging_of(const World& world, const SamplingMesh& mesh, const Settings& settings, Task& task) {
-  return merges(mesh, settings) ? merge_discs(world, mesh, static_cast<std::size_t>(settings.elements), task) : Merging{};
+bool sends_negative_light(const Settings& settings) {
+  return settings.mode == Mode::antiradiance || settings.mode == Mode::disc_bounce;
 }
+
+Merging merging_of(const World& world, const SamplingMesh& mesh, const Settings& settings, Task& task) {
+  return merges(mesh, settings)
+             ? merge_discs(world, mesh, static_cast<std::size_t>(settings.elements), sends_negative_light(settings), task)
+             : Merging{};
+}
+
+TracingRule tracing_rule(const Settings& settings, float tolerance) {
+  return {settings.visibility_rays, settings.near_cells,
+          settings.split_partial ? partial_share * tolerance : std::numeric_limits<float>::infinity()};
+}
+
+bool looks_for_parted(const Settings& settings) { return settings.backface_rays > 0 && settings.mode != Mode::accessibility; }
 
 double mebibytes(double bytes) { return bytes / (1024.0 * 1024.0); }
 
@@ -73,21 +118,26 @@ double bytes_needed(const SamplingMesh& mesh, const Settings& settings, double t
          (merges(mesh, settings) ? vertices * bytes_a_merged_vertex : 0.0);
 }
 
-/// The mesh, with as many elements as the budget has room for; `settings.elements` says how many that are.
-SamplingMesh mesh_within_budget(const World& world, double table_bytes, Settings& settings) {
-  SamplingMesh mesh(world, mesh_options(world, settings));
-  const bool coarsens = settings.merge;
-  settings = with_merging_decided(world, settings);
-  while (coarsens && settings.elements > fewest_elements) {
-    const double needed = bytes_needed(mesh, settings, table_bytes);
+DecidedMesh decided_mesh(const World& world, const Settings& settings) {
+  OwnDetail detail(world, settings);
+  const Settings used = decided(detail, settings);
+  return {used, cut_mesh(world, used, detail)};
+}
+
+/// The mesh, with as many elements as the budget has room for; `may_merge`: where they may share vertices to that end.
+DecidedMesh mesh_within_budget(const World& world, OwnDetail detail, double table_bytes, bool may_merge, const Settings& wanted) {
+  DecidedMesh made{wanted, cut_mesh(world, wanted, detail)};
+  Settings& settings = made.settings;
+  while (may_merge && settings.elements > fewest_elements) {
+    const double needed = bytes_needed(made.mesh, settings, table_bytes);
     if (needed <= settings.bytes_at_most()) break;
     settings.elements =
         std::max(fewest_elements, static_cast<int>(settings.elements * std::min(0.9, settings.bytes_at_most() / needed)));
     settings.merge = true;
-    settings = with_merging_decided(world, settings);
-    if (!merges(mesh, settings)) mesh = SamplingMesh(world, mesh_options(world, settings));
+    settings = decided(detail, settings);
+    if (!merges(made.mesh, settings)) made.mesh = cut_mesh(world, settings, detail);
   }
-  return mesh;
+  return made;
 }
 
 /// How many elements there are, where these are not about as many as were asked for, one for each vertex.
@@ -125,20 +175,24 @@ std::string count_crossings(const Elements& elements, Task& task) {
 }  // namespace
 
 Discretisation::Discretisation(const World& world, const Settings& settings, Task& task)
-    : Discretisation(world, SamplingMesh(world, mesh_options(world, settings)), with_merging_decided(world, settings), task) {}
+    : Discretisation(world, decided_mesh(world, settings), task) {}
 
-Discretisation::Discretisation(const World& world, SamplingMesh made, const Settings& settings, Task& task)
-    : mesh(std::move(made)),
-      elements(world, mesh, settings.cell_points,
-               {settings.backface_rays, settings.backface_rays > 0 && settings.mode == Mode::antiradiance}, task,
-               merging_of(world, mesh, settings, task)),
-      surroundings(look_around(world, mesh, elements, settings.closure_rays, task)),
-      hierarchy(elements,
-                settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
-                task, settings.mode == Mode::accessibility && world.scene().objects.size() <= most_apart),
-      reconstruction(settings.mode == Mode::accessibility
+Discretisation::Discretisation(const World& world, DecidedMesh made, Task& task)
+    : mesh(std::move(made.mesh)),
+      elements(world, mesh, made.settings.cell_points,
+               {made.settings.backface_rays, made.settings.backface_rays > 0 && made.settings.mode == Mode::antiradiance}, task,
+               merging_of(world, mesh, made.settings, task)),
+      parted_triangles(looks_for_parted(made.settings) ? antiradiance::parted_triangles(world, mesh, elements, task)
+                                                       : std::vector<std::uint8_t>()),
+      surroundings(look_around(world, mesh, elements,
+                               {made.settings.closure_rays, sends_negative_light(made.settings), parted_triangles}, task)),
+      hierarchy(
+          elements,
+          made.settings.closure_rays > 0 ? std::span<const std::uint32_t>(surroundings.space) : std::span<const std::uint32_t>{},
+          task, made.settings.mode == Mode::accessibility && world.scene().objects.size() <= most_apart),
+      reconstruction(made.settings.mode == Mode::accessibility
                          ? Reconstruction()
-                         : Reconstruction(world, mesh, elements, hierarchy, settings.backface_rays > 0, task)) {}
+                         : Reconstruction(world, mesh, elements, hierarchy, parted_triangles, task)) {}
 
 double direction_table_bytes(const Settings& settings) {
   const auto bins = static_cast<std::size_t>(settings.bins) * static_cast<std::size_t>(settings.bins);
@@ -148,17 +202,18 @@ double direction_table_bytes(const Settings& settings) {
 
 std::unique_ptr<Discretisation> make_elements(const World& world, const Settings& settings, double table_bytes, Task& task,
                                               StageReport& report) {
-  Settings used = settings;
-  SamplingMesh mesh = mesh_within_budget(world, table_bytes, used);
-  add_message(how_many(mesh, used, settings.elements), report);
-  if (const double needed = bytes_needed(mesh, used, table_bytes); needed > settings.bytes_at_most()) {
+  OwnDetail detail(world, settings);
+  const Settings wanted = decided(detail, settings);
+  DecidedMesh made = mesh_within_budget(world, std::move(detail), table_bytes, settings.merge, wanted);
+  add_message(how_many(made.mesh, made.settings, wanted.elements), report);
+  if (const double needed = bytes_needed(made.mesh, made.settings, table_bytes); needed > settings.bytes_at_most()) {
     report.termination = Termination::out_of_budget;
     add_message(fmt::format("{} elements need {:.0f} MiB: raise the parameter memory_budget, or lower elements, bins or sectors",
-                            element_count(mesh, used), mebibytes(needed)),
+                            element_count(made.mesh, made.settings), mebibytes(needed)),
                 report);
     return nullptr;
   }
-  auto parts = std::make_unique<Discretisation>(world, std::move(mesh), used, task);
+  auto parts = std::make_unique<Discretisation>(world, std::move(made), task);
   task.count("elements", parts->elements.size());
   task.count("elements_inside_geometry", parts->elements.size() - parts->hierarchy.leaf_count());
   task.count("nodes", parts->hierarchy.size());
@@ -222,7 +277,8 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
 
   refine_factors(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
   if (visibility == Visibility::traced)
-    trace_links(world, parts.elements, parts.hierarchy, settings.visibility_rays, linking.links, task);
+    task.count("links_taken_apart",
+               trace_links(world, parts.elements, parts.hierarchy, tracing_rule(settings, rule.tolerance), linking.links, task));
   if (visibility == Visibility::nearest)
     linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, settings.bin_winner, task);
   if (by_direction) {

@@ -27,17 +27,26 @@ enum class Visibility {
   shadow_passes  ///< by negative light without directions
 };
 
+/// A mesh, and the settings that say what becomes of it: how many elements, and whether its vertices share them.
+struct DecidedMesh {
+  Settings settings;
+  SamplingMesh mesh;
+};
+
 struct Discretisation {
   Discretisation(const World& world, const Settings& settings, Task& task);
-  /// Over a mesh that is there already.
-  Discretisation(const World& world, SamplingMesh made, const Settings& settings, Task& task);
+  Discretisation(const World& world, DecidedMesh made, Task& task);
 
   SamplingMesh mesh;
   Elements elements;
+  std::vector<std::uint8_t> parted_triangles;  ///< of parted_triangles(); empty: not looked for
   Surroundings surroundings;
   Hierarchy hierarchy;
   Reconstruction reconstruction;
-  std::size_t bytes() const { return mesh.bytes() + elements.bytes() + hierarchy.bytes() + reconstruction.bytes(); }
+  bool is_parted(std::uint32_t triangle) const { return !parted_triangles.empty() && parted_triangles[triangle] != 0; }
+  std::size_t bytes() const {
+    return mesh.bytes() + elements.bytes() + parted_triangles.capacity() + hierarchy.bytes() + reconstruction.bytes();
+  }
 };
 
 /// Counted in the task. The report names what the elements cannot be trusted with. Before any ray is traced the memory of

@@ -6,6 +6,7 @@
 
 #include "common/core/sampling.h"
 #include "common/finite_elements/inside_geometry.h"
+#include "common/finite_elements/surface_point.h"
 #include "methods/antiradiance/cell_crossings.h"
 
 namespace gibench::antiradiance {
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::size_t element_chunk = 64;
 constexpr std::uint32_t most_parts = 16;  // of an element of several vertices; with more its points stand for its cell
+constexpr float inset = 1.0F / 64.0F;     // of the way from a vertex to the middle of its face
+constexpr float golden_ratio = 0.61803398875F;
 constexpr std::uint64_t point_stage = 0x70617274ULL, exposure_stage = 0x6578706fULL;
 
 /// m² of a quadrilateral by its diagonals: exact where it is planar.
@@ -35,6 +38,17 @@ Vec3 point_of(const CellPart& part, Vec2 at) {
   return (a * (1.0F - at.x) + b * at.x) * (1.0F - at.y) + (d * (1.0F - at.x) + c * at.x) * at.y;
 }
 
+/// A point of each part, just beside the vertex of the cell.
+std::vector<CellPoint> beside_vertex(const World& world, std::span<const CellPart> parts) {
+  std::vector<CellPoint> points;
+  for (const CellPart& part : parts) {
+    const Vec3 position = part.corners[0] + (part.corners[2] - part.corners[0]) * inset;
+    const Vec3 offset = world.offset(surface_sample(world, part.triangle, position, part.normal)) * part.normal;
+    points.push_back({position + offset, position - offset, part.normal, part.triangle, true});
+  }
+  return points;
+}
+
 /// Whether a coplanar face is in front of the point.
 bool is_covered(const World& world, const CellPoint& point) {
   if (world.coincident().empty()) return false;
@@ -47,8 +61,10 @@ bool is_covered(const World& world, const CellPoint& point) {
 bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays) {
   if (count == 0) return true;
   const Frame frame(normal);
-  return !all_meet_black_backs(world, origin, 0, count, rays, [&](int) {
-    return frame.to_world(cosine_hemisphere({random.next_float(), random.next_float()}));
+  const Vec2 shift{random.next_float(), random.next_float()};
+  return !all_meet_black_backs(world, origin, 0, count, rays, [&](int ray) {
+    const Vec2 at = shift + Vec2(static_cast<float>(ray) / static_cast<float>(count), golden_ratio * static_cast<float>(ray));
+    return frame.to_world(cosine_hemisphere(at - glm::floor(at)));
   });
 }
 
@@ -130,7 +146,6 @@ void Elements::cut_cells(const World& world, const SamplingMesh& mesh) {
 
 /// Stratified over the parts by area; within a part by a rank-1 lattice with a shift of its own.
 void Elements::place_points(const World& world, std::uint32_t element, std::uint64_t seed) {
-  constexpr float golden = 0.61803398875F;
   const auto cell = parts(element);
   float total = 0.0F;
   for (const CellPart& part : cell) total += area_of(part);
@@ -143,7 +158,7 @@ void Elements::place_points(const World& world, std::uint32_t element, std::uint
     while (part + 1 < cell.size() && before + area_of(cell[part]) < target * total) before += area_of(cell[part++]);
     const float own = total > 0.0F ? area_of(cell[part]) / total : 1.0F;
     const float u = own > 0.0F ? std::clamp((target - (total > 0.0F ? before / total : 0.0F)) / own, 0.0F, 1.0F) : 0.5F;
-    const float v = shift.y + golden * static_cast<float>(k);
+    const float v = shift.y + golden_ratio * static_cast<float>(k);
     SurfaceSample sample;
     sample.position = point_of(cell[part], {u, v - std::floor(v)});
     sample.normal = cell[part].normal;
@@ -169,7 +184,7 @@ void Elements::find_exposed(const World& world, std::uint32_t element, const Cel
   if (tests.backface_rays > 0 && (marks_[element] & several_mark) == 0) {
     std::vector<std::uint32_t> faces;
     for (const CellPart& part : parts(element)) faces.push_back(world.scene().triangle_face[part.triangle]);
-    if (part_cell(world, own, discs_[element].centre, faces, rays)) marks_[element] |= parted_mark;
+    if (part_cell(world, own, beside_vertex(world, parts(element)), faces, rays)) marks_[element] |= parted_mark;
   }
   const auto exposed = std::count_if(own.begin(), own.end(), [](const CellPoint& point) { return point.exposed; });
   exposed_share_[element] = static_cast<float>(exposed) / static_cast<float>(own.size());

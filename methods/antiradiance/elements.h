@@ -27,12 +27,12 @@ struct CellPart {
 
 /// What rays find out about cells.
 struct CellTests {
-  int backface_rays = 8;      ///< that must all meet black backs for a point to be inside geometry; 0: no ray is traced at all
+  int backface_rays = 64;     ///< that must all meet black backs for a point to be inside geometry; 0: no ray is traced at all
   bool looks_behind = false;  ///< whether another surface lies behind, nearer than the disc's radius
 };
 
-/// Whether a point just off a surface is not inside geometry: of `count` cosine-distributed rays about the unit normal one at
-/// least does not meet a black back.
+/// Whether a point just off a surface is not inside geometry: of `count` cosine-distributed rays about the unit normal, a
+/// rank-1 lattice, one at least does not meet a black back. Between two sheets, too, most meet one.
 bool is_exposed(const World& world, const Vec3& origin, const Vec3& normal, int count, RandomStream random, RayStream& rays);
 
 /// The elements in the order of the mesh's vertices, or of the merging; those that are wholly hidden take no part in transport.

@@ -94,33 +94,35 @@ int levels_below(const Node& p, const Node& q, float distance) {
   return extent > one_level * distance ? 1 : 0;
 }
 
+/// Whether the oracle's form factor of two discs does not do.
+bool is_near(const Node& p, const Node& q) {
+  const float distance = glm::length(q.centre - p.centre);
+  if (!p.is_leaf() || !q.is_leaf()) return levels_below(p, q, distance) > 0;
+  return distance <= disc_radii * std::sqrt(std::max(p.area, q.area) / pi);
+}
+
 }  // namespace
+
+float node_exchange(const Elements& elements, const Hierarchy& hierarchy, bool cells, std::uint32_t p, const Sender& sender) {
+  const auto nodes = hierarchy.nodes();
+  const std::uint32_t q = sender.node();
+  const Disc to = nodes[p].disc(), from = nodes[q].disc();
+  const float distance = glm::length(from.centre - to.centre);
+  if (!nodes[p].is_leaf() || !nodes[q].is_leaf())
+    return exchange_of_descendants(nodes, p, q, sender, levels_below(nodes[p], nodes[q], distance));
+  if (cells && distance < cell_radii * (std::sqrt(to.area / pi) + std::sqrt(from.area / pi)) && !nearly_coplanar(to, from))
+    return cell_exchange(elements, hierarchy.element(nodes[p]), sender.to_back(), hierarchy.element(nodes[q]),
+                         sender.from_back());
+  return sided_exchange(nodes[p], nodes[q], sender);
+}
 
 void refine_factors(const Elements& elements, const Hierarchy& hierarchy, bool cells, LinkTable& links, Task& task) {
   const auto nodes = hierarchy.nodes();
   task.parallel_chunks(nodes.size(), node_chunk, [&](const ChunkRange& range) {
     for (auto p = static_cast<std::uint32_t>(range.begin); p < range.end; ++p)
-      for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link) {
-        const Sender sender = links.senders[link];
-        const std::uint32_t q = sender.node();
-        const Disc to = nodes[p].disc(), from = nodes[q].disc();
-        const float distance = glm::length(from.centre - to.centre);
-        const bool leaves = nodes[p].is_leaf() && nodes[q].is_leaf();
-        if (leaves && distance > disc_radii * std::sqrt(std::max(to.area, from.area) / pi)) continue;
-        float exchange = 0.0F;
-        if (!leaves) {
-          const int levels = levels_below(nodes[p], nodes[q], distance);
-          if (levels == 0) continue;
-          exchange = exchange_of_descendants(nodes, p, q, sender, levels);
-        } else if (cells && distance < cell_radii * (std::sqrt(to.area / pi) + std::sqrt(from.area / pi)) &&
-                   !nearly_coplanar(to, from)) {
-          exchange = cell_exchange(elements, hierarchy.element(nodes[p]), sender.to_back(), hierarchy.element(nodes[q]),
-                                   sender.from_back());
-        } else {
-          exchange = disc_exchange(to, from);
-        }
-        links.factors[link] = exchange / to.area;
-      }
+      for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link)
+        if (is_near(nodes[p], nodes[links.senders[link].node()]))
+          links.factors[link] = node_exchange(elements, hierarchy, cells, p, links.senders[link]) / nodes[p].area;
   });
 }
 

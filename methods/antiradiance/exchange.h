@@ -13,6 +13,9 @@ namespace gibench::antiradiance {
 /// leaves j's.
 float cell_exchange(const Elements& elements, std::uint32_t i, bool back_i, std::uint32_t j, bool back_j);
 
+/// A_p F_pq of two nodes as refine_factors() makes it, m²; nothing where the sides that the sender names do not face each other.
+float node_exchange(const Elements& elements, const Hierarchy& hierarchy, bool cells, std::uint32_t p, const Sender& sender);
+
 /// Makes the links' factors anew. Elements that nearly touch (three radii) and are not nearly in one plane are taken as their
 /// cells (`cells`); other elements up to eight radii as discs cut into quarters. Inner nodes are long or square, not round: near
 /// ones are taken as the discs of their children, or of their children's.

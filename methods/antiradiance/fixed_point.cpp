@@ -75,27 +75,29 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr std::size_t patience = 8;  // steps over which a residual must fall
-constexpr double hopeless = 1e6;     // a residual at which no series comes back
-constexpr int krylov_starts = 8;
+constexpr std::size_t patience_with_steps = 8;  // that are damped
+constexpr double hopeless = 1e6;                // a residual at which no series comes back
+constexpr int krylov_starts = 8, series_starts = 6;
 
 /// What a series of residuals says about what is to come.
 class Trend {
  public:
+  explicit Trend(std::size_t patience) : patience_(patience) {}
   void add(double residual) { residuals_.push_back(residual); }
   bool grows() const {
     if (!std::isfinite(residuals_.back()) || residuals_.back() > hopeless) return true;
-    return residuals_.size() > patience && residuals_.back() > residuals_[residuals_.size() - 1 - patience];
+    return residuals_.size() > patience_ && residuals_.back() > residuals_[residuals_.size() - 1 - patience_];
   }
   /// Steps still to go at the rate of the last ones; 0 while that is not known.
   double steps_left(double goal) const {
-    if (residuals_.size() <= patience) return 0.0;
+    if (residuals_.size() <= patience_) return 0.0;
     const double rate =
-        std::log(residuals_.back() / residuals_[residuals_.size() - 1 - patience]) / static_cast<double>(patience);
+        std::log(residuals_.back() / residuals_[residuals_.size() - 1 - patience_]) / static_cast<double>(patience_);
     return rate < 0.0 ? std::log(goal / residuals_.back()) / rate : 1e9;
   }
 
  private:
+  std::size_t patience_;
   std::vector<double> residuals_;
 };
 
@@ -109,6 +111,10 @@ class Solver {
     if (!(size_of_b_ > 0.0)) return outcome_;
     if (rule_.exactly > 0) return terms(rule_.exactly);
     if (series()) return outcome_;
+    if (rule_.series_only) {
+      outcome_.termination = Termination::not_converged;
+      return outcome_;
+    }
     const std::string first = outcome_.message;
     if (damped()) {
       outcome_.message = fmt::format("{}; damped steps converged", first);
@@ -144,19 +150,48 @@ class Solver {
     task_.progress(fmt::format("{} {}", what, number), progress_of(residual, rule_.residual), residual);
   }
 
+  /// Of terms that swell before they fade M rounds off more than the sum may lack: what the sum leaves of the equation is summed
+  /// in turn.
   bool series() {
-    Vector term = b_, next(b_.size());
-    Trend trend;
+    x_.setZero();
+    Vector left = b_;
+    double before = std::numeric_limits<double>::infinity();
+    for (int start = 0; start < series_starts; ++start) {
+      double largest = 0.0;
+      if (!sum_terms(left, largest)) return false;
+      const auto size = static_cast<double>(x_.norm());
+      if (rule_.rounding * largest <= rule_.residual * size || task_.cancelled()) return true;
+      map_(x_, left);
+      ++outcome_.applications;
+      left += b_ - x_;
+      const double residual = static_cast<double>(left.norm()) / std::max(1e-30, size);
+      tell("series anew", start + 1, residual);
+      if (residual < rule_.residual) return true;
+      if (!(residual < 0.5 * before)) break;
+      before = residual;
+    }
+    outcome_.message = fmt::format("the series' terms swell until rounding leaves a residual of {:.2e}", outcome_.residual);
+    return false;
+  }
+
+  /// Adds the series of `first` to the solution; `largest`: norm of a term.
+  bool sum_terms(const Vector& first, double& largest) {
+    Vector term = first, next(b_.size());
+    x_ += term;
+    largest = static_cast<double>(term.norm());
+    Trend trend(rule_.patience);
     for (int k = 1; k <= rule_.most_iterations; ++k) {
       if (task_.cancelled()) return true;
       step(term, next, k);
       term.swap(next);
       x_ += term;
+      largest = std::max(largest, static_cast<double>(term.norm()));
       if (outcome_.residual < rule_.residual) return true;
       trend.add(outcome_.residual);
-      if (trend.grows() || trend.steps_left(rule_.residual) > 0.5 * rule_.most_iterations) {
-        outcome_.message = fmt::format("the series {} after {} iterations (residual {:.2e})", trend.grows() ? "grew" : "was slow",
-                                       k, outcome_.residual);
+      const bool grows = trend.grows() || rule_.rounding * largest > size_of_b_;
+      if (grows || trend.steps_left(rule_.residual) > 0.5 * rule_.most_iterations) {
+        outcome_.message =
+            fmt::format("the series {} after {} iterations (residual {:.2e})", grows ? "grew" : "was slow", k, outcome_.residual);
         return false;
       }
     }
@@ -168,7 +203,7 @@ class Solver {
     outcome_.ended_with = Iteration::damped;
     x_ = b_;
     Vector image(b_.size());
-    Trend trend;
+    Trend trend(patience_with_steps);
     for (int k = 1; k <= rule_.most_iterations; ++k) {
       if (task_.cancelled()) return true;
       map_(x_, image);

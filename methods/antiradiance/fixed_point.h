@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -21,6 +22,10 @@ struct FixedPointRule {
   double residual = 1e-4;
   int most_iterations = 200;
   int exactly = 0;  ///< more than 0: so many terms of the plain series, whatever the residual does: for pictures of the iteration
+  bool series_only = false;  ///< no other way is tried: the caller has a better one
+  /// Steps over which a residual must fall. Terms of negative light alone grow until they have passed every surface in line.
+  std::size_t patience = 8;
+  double rounding = 0.0;  ///< share of a vector that M rounds off: where terms swell, what they leave is summed again
 };
 
 struct FixedPointOutcome {

@@ -13,10 +13,16 @@ namespace gibench::antiradiance {
 
 namespace {
 
-constexpr double negligible_bounce = 1e-5;  // of the sum so far
+constexpr double negligible_bounce = 1e-5;    // of the sum so far
+constexpr std::size_t most_in_line = 64;      // surfaces, whose negative light is waited for
+constexpr double most_inner_residual = 0.03;  // of a bounce, however little of all light it is
 
 FixedPointRule rule_of(const Settings& settings, bool pictures) {
-  return {settings.residual, settings.most_iterations, pictures ? settings.iterations : 0};
+  FixedPointRule rule;
+  rule.residual = settings.residual;
+  rule.most_iterations = settings.most_iterations;
+  if (pictures) rule.exactly = settings.iterations;
+  return rule;
 }
 
 /// All bounces of the plan, or fewer where one is negligible.
@@ -104,7 +110,8 @@ class Patches {
 class Directions {
  public:
   Directions(const Discretisation& parts, const Linking& linking, const Surfaces& surfaces, Task& task)
-      : transport_(parts.hierarchy, linking.links, *linking.bins),
+      : hierarchy_(parts.hierarchy),
+        transport_(parts.hierarchy, linking.links, *linking.bins),
         surfaces_(surfaces),
         reflection_{surfaces.albedo, surfaces.closure, surfaces.glossy},
         task_(task) {}
@@ -117,12 +124,25 @@ class Directions {
     if (surfaces_.max_bounces) {
       bounded(first, rule, *surfaces_.max_bounces, sum, result);
     } else {
-      const LinearMap everything = [this](const Vector& in, Vector& out) { transport_.transport(in, reflection_, out, task_); };
-      take_over(solve_fixed_point(first, everything, rule, sum, task_), result);
-      add_fronts(sum, result.irradiance);
+      all_bounces(first, rule, sum, result);
     }
     if (surfaces_.keeps_directions) result.by_direction = std::move(sum);
     return result;
+  }
+
+  /// Why negative light may not come to an end here, and what to do about it.
+  std::string why_not() {
+    std::vector<float> depths = transport_.depths(task_);
+    double sum = 0.0, area = 0.0;
+    for (std::size_t leaf = 0; leaf < depths.size(); ++leaf) {
+      const auto own = static_cast<double>(hierarchy_.nodes()[hierarchy_.leaf_node(leaf)].area);
+      sum += own * static_cast<double>(depths[leaf]), area += own;
+    }
+    return fmt::format(
+        "negative light does not come to an end, with {:.1f} surfaces one behind another in the mean before an element, {:.1f} "
+        "at "
+        "most: use mode=radiosity or mode=implicit, or raise the parameter most_iterations",
+        area > 0.0 ? sum / area : 0.0, depths.empty() ? 0.0F : *std::max_element(depths.begin(), depths.end()));
   }
 
   /// Irradiance under radiosity 1 on every front.
@@ -130,24 +150,66 @@ class Directions {
     Vector first, sum;
     const std::vector<Rgb> ones(surfaces_.closure.size(), Rgb(1.0F));
     transport_.transport_sources(ones, {}, first, task_);
-    take_over(solve_fixed_point(first, through(), rule, sum, task_), result);
+    take_over(solve_fixed_point(first, through(), in_line(rule), sum, task_), result);
     std::vector<Rgb> fronts(ones.size());
     add_fronts(sum, fronts);
     return fronts;
   }
 
  private:
+  /// For light that is only taken away.
+  static FixedPointRule in_line(FixedPointRule rule) {
+    rule.patience = most_in_line;
+    rule.rounding = 0.5 / static_cast<double>(most_units);
+    return rule;
+  }
+
   LinearMap through() {
     return [this](const Vector& in, Vector& out) { transport_.transport_through(in, out, task_); };
   }
 
+  /// All at once, bounces and what takes light away; where that grows, bounce by bounce: see README.md, Iteration.
+  void all_bounces(Vector& first, const FixedPointRule& rule, Vector& sum, Interreflection& result) {
+    const LinearMap everything = [this](const Vector& in, Vector& out) { transport_.transport(in, reflection_, out, task_); };
+    FixedPointRule at_once = rule;
+    at_once.series_only = true;
+    const FixedPointOutcome outcome = solve_fixed_point(first, everything, at_once, sum, task_);
+    if (succeeded(outcome.termination) || task_.cancelled()) {
+      take_over(outcome, result);
+      add_fronts(sum, result.irradiance);
+      return;
+    }
+    result.iterations += outcome.applications;
+    BounceSeries series({{}, rule.most_iterations, rule.residual});
+    one_by_one(first, rule, series, rule.residual, sum, result);
+    const std::string how = outcome.message + " with all bounces at once";
+    if (!succeeded(result.termination)) {
+      result.message = fmt::format("{} ({}; bounce by bounce {})", why_not(), how, result.message);
+    } else if (series.settled()) {
+      result.message = fmt::format("{}; it converged bounce by bounce, {} of them", how, series.bounces());
+    } else {
+      result.termination = Termination::not_converged;
+      result.message = fmt::format("{}; {} bounces one by one did not end", how, series.bounces());
+    }
+  }
+
   void bounded(Vector& arriving, const FixedPointRule& rule, int bounces, Vector& sum, Interreflection& result) {
+    BounceSeries series = planned(bounces);
+    one_by_one(arriving, rule, series, negligible_bounce, sum, result);
+    if (succeeded(result.termination)) result.termination = Termination::bound_reached;
+    if (result.message.empty()) result.message = as_planned(bounces);
+  }
+
+  /// Each bounce without what is hidden from it, before the next is made of it: until one is a negligible share of all.
+  void one_by_one(Vector& arriving, const FixedPointRule& rule, BounceSeries& series, double negligible, Vector& sum,
+                  Interreflection& result) {
     Vector bounce;
     double so_far = 0.0;
-    BounceSeries series = planned(bounces);
+    FixedPointRule own = in_line(rule);
     while (series.goes_on() && !task_.cancelled()) {
       if (series.bounces() > 0) transport_.transport_reflected(bounce, reflection_, arriving, task_);
-      take_over(solve_fixed_point(arriving, through(), rule, bounce, task_), result);
+      take_over(solve_fixed_point(arriving, through(), own, bounce, task_), result);
+      if (!succeeded(result.termination)) return;
       std::vector<Rgb> fronts(result.irradiance.size());
       add_fronts(bounce, fronts);
       for (std::size_t i = 0; i < fronts.size(); ++i) result.irradiance[i] += fronts[i];
@@ -156,10 +218,12 @@ class Directions {
       series.add();
       const double size = total(fronts);
       so_far += size;
-      if (size <= negligible_bounce * so_far) series.settle();
+      const double share = so_far > 0.0 ? size / so_far : 0.0;
+      task_.progress(fmt::format("bounce {}", series.bounces()), progress_of(share, negligible), share);
+      if (size <= negligible * so_far) series.settle();
+      // The same of all light, of a bounce that is a smaller share of it from one to the next.
+      if (share > 0.0) own.residual = std::max(rule.residual, std::min(most_inner_residual, rule.residual / share));
     }
-    if (succeeded(result.termination)) result.termination = Termination::bound_reached;
-    if (result.message.empty()) result.message = as_planned(bounces);
   }
 
   void add_fronts(const Vector& arriving, std::vector<Rgb>& fronts) {
@@ -167,6 +231,7 @@ class Directions {
     for (std::size_t i = 0; i < fronts.size(); ++i) fronts[i] *= surfaces_.closure[i];
   }
 
+  const Hierarchy& hierarchy_;
   BinTransport transport_;
   const Surfaces& surfaces_;
   Reflection reflection_;
@@ -194,12 +259,13 @@ Closure closure_factors(const Discretisation& parts, const Linking& linking, con
   std::vector<Rgb> response(leaves);
   if (linking.visibility == Visibility::antiradiance) {
     Interreflection ended;
-    response = Directions(parts, linking, white, task).uniform(rule_of(settings, false), ended);
+    Directions directions(parts, linking, white, task);
+    response = directions.uniform(rule_of(settings, false), ended);
     result.iterations = ended.iterations;
     if (!ended.message.empty()) result.message = "negative light of uniform surfaces: " + ended.message;
     if (!succeeded(ended.termination)) {
       result.termination = ended.termination;
-      result.message += "; raise the parameter most_iterations, elements or bins";
+      if (!task.cancelled()) result.message = fmt::format("{} ({})", directions.why_not(), result.message);
       return result;
     }
   } else {

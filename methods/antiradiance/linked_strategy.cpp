@@ -157,8 +157,8 @@ Rgb LinkedStrategy::indirect(const World& world, const SurfaceSample& sample, co
     ++exceptions.inside;
     return {};
   }
-  if (parts_->reconstruction.is_parted(at.triangle) &&
-      !Reconstruction::leave_hidden_out(world, parts_->elements, sample, rays, at))
+  if (parts_->is_parted(at.triangle) &&
+      !Reconstruction::leave_hidden_out(world, parts_->mesh, parts_->elements, sample, rays, at))
     ++exceptions.cut_off;
   const Material& material = world.scene().material_of_object(sample.object);
   Rgb sum;

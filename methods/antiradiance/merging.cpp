@@ -8,6 +8,7 @@
 #include "common/spaces/place_clusters.h"
 #include "common/spaces/side_light.h"
 #include "methods/antiradiance/over_obstacles.h"
+#include "methods/antiradiance/representatives.h"
 
 namespace gibench::antiradiance {
 
@@ -44,8 +45,8 @@ std::uint8_t brightness_of(float irradiance, float mean) {
   return brightness;
 }
 
-VertexLight light_at_vertices(const World& world, const SamplingMesh& mesh, Task& task) {
-  const SideLight light(world, task, {CellSides::all});
+VertexLight light_at_vertices(const World& world, const SamplingMesh& mesh, bool backs_count, Task& task) {
+  const SideLight light(world, task, {backs_count ? CellSides::all : CellSides::lit});
   VertexLight result;
   for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
     const MeshVertex& vertex = mesh.vertices()[v];
@@ -54,7 +55,7 @@ VertexLight light_at_vertices(const World& world, const SamplingMesh& mesh, Task
       return light.is_reached(site.scene_triangle, vertex.front, site.barycentrics);
     });
     // Of a black back is_reached() says nothing, as nothing comes back from there.
-    const bool back = !front && !world.scene().objects[vertex.object].two_sided &&
+    const bool back = backs_count && !front && !world.scene().objects[vertex.object].two_sided &&
                       irradiance_beside(light, sites, false) > SideLight::sealed_share * light.mean();
     result.reached.push_back(front ? Reached::front : back ? Reached::back : Reached::nowhere);
     result.brightness.push_back(brightness_of(irradiance_beside(light, sites, vertex.front), light.mean()));
@@ -94,16 +95,18 @@ std::uint32_t cluster(const SamplingMesh& mesh, std::span<const std::uint32_t> l
   return first + static_cast<std::uint32_t>(cluster_count(found));
 }
 
-/// Numbers the parts of a disc that stands on both sides of an obstacle; one without.
+/// Numbers the parts of a disc that stands on both sides of an obstacle; one without. Those vertices that stand for the others
+/// get theirs.
 std::uint32_t find_parts(const World& world, const SamplingMesh& mesh, std::span<const std::uint32_t> members,
-                         std::vector<std::uint8_t>& part_of_vertex, RayStream& rays) {
+                         std::span<const std::uint32_t> representatives, std::vector<std::uint8_t>& part_of_vertex,
+                         RayStream& rays) {
   const auto& vertices = mesh.vertices();
   Vec3 middle(0.0F);
   double area = 0.0;
   for (const std::uint32_t v : members) middle += vertices[v].position, area += static_cast<double>(vertices[v].area);
   middle /= static_cast<float>(members.size());
   const float height = static_cast<float>(std::sqrt(area / pi_double));
-  std::vector<std::uint32_t> left(members.begin(), members.end());
+  std::vector<std::uint32_t> left(representatives.begin(), representatives.end());
   std::uint32_t parts = 0;
   while (!left.empty() && parts < most_parts) {
     const auto squared = [&](std::uint32_t v) {
@@ -128,12 +131,16 @@ std::uint32_t find_parts(const World& world, const SamplingMesh& mesh, std::span
 /// Gives what obstacles part elements of their own.
 void part(const World& world, const SamplingMesh& mesh, Merging& merging, Task& task) {
   const Grouped members(merging.of_vertex, merging.elements);
+  const Representatives representatives(mesh, members, task);
   std::vector<std::uint8_t> part_of_vertex(merging.of_vertex.size(), 0);
   std::vector<std::uint32_t> parts(merging.elements, 1);
   task.parallel_chunks(merging.elements, cluster_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
     for (std::size_t e = range.begin; e < range.end; ++e)
-      if (merging.reached[e] != Reached::nowhere) parts[e] = find_parts(world, mesh, members.of(e), part_of_vertex, rays);
+      if (merging.reached[e] != Reached::nowhere) {
+        parts[e] = find_parts(world, mesh, members.of(e), representatives.of(e), part_of_vertex, rays);
+        for (const std::uint32_t v : members.of(e)) part_of_vertex[v] = part_of_vertex[representatives.of_vertex(v)];
+      }
   });
   std::vector<std::uint32_t> first(merging.elements, 0);
   std::vector<Reached> reached;
@@ -190,8 +197,8 @@ Merging clustered(const SamplingMesh& mesh, const VertexLight& light, std::span<
 
 }  // namespace
 
-Merging merge_discs(const World& world, const SamplingMesh& mesh, std::size_t wanted, Task& task) {
-  const VertexLight light = light_at_vertices(world, mesh, task);
+Merging merge_discs(const World& world, const SamplingMesh& mesh, std::size_t wanted, bool backs_count, Task& task) {
+  const VertexLight light = light_at_vertices(world, mesh, backs_count, task);
   const std::vector<std::uint32_t> labels = labels_of(world, mesh, light.reached, wanted);
   std::size_t clusters = wanted;
   for (int attempt = 1; !task.cancelled(); ++attempt) {

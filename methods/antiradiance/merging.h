@@ -14,7 +14,7 @@ namespace gibench::antiradiance {
 /// Where the scene's light gets to.
 enum class Reached : std::uint8_t {
   front,    ///< the side that the element is on
-  back,     ///< only the black back of a one-sided surface
+  back,     ///< only the black back of a one-sided surface, where that is of any account
   nowhere,  ///< next to none gets to either: the inside of walls
 };
 
@@ -31,6 +31,7 @@ struct Merging {
 /// where there are more objects than discs enough for them) and one side of it, where light reaches the same sides of both, where
 /// their normals differ by no more than a bound, and where no surface higher than the disc is wide stands between them. What
 /// no light reaches gets few.
-Merging merge_discs(const World& world, const SamplingMesh& mesh, std::size_t wanted, Task& task);
+/// `backs_count`: light at black backs is of account, as where negative light is sent.
+Merging merge_discs(const World& world, const SamplingMesh& mesh, std::size_t wanted, bool backs_count, Task& task);
 
 }  // namespace gibench::antiradiance

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "methods/antiradiance/cell_crossings.h"
+#include "methods/antiradiance/parted_triangles.h"
 
 namespace gibench::antiradiance {
 
@@ -13,18 +13,6 @@ namespace {
 constexpr float beside = 0.1F;         // of the cell's extent: a mean further than that from the vertex is not the vertex's
 constexpr float fewest_of_own = 0.5F;  // of a mean's weights, below which the vertex cannot be derived from it
 constexpr int sweeps = 4;
-constexpr std::size_t triangle_chunk = 128;
-
-/// The exposed point nearest to the element's middle; none where none is exposed.
-const CellPoint* middle_point(const Elements& elements, std::uint32_t element) {
-  const CellPoint* best = nullptr;
-  float least = std::numeric_limits<float>::infinity();
-  for (const CellPoint& point : elements.points(element)) {
-    const Vec3 d = point.origin - elements.disc(element).centre;
-    if (point.exposed && glm::dot(d, d) < least) least = glm::dot(d, d), best = &point;
-  }
-  return best;
-}
 
 float within(float value, float mean) {
   return mean >= 0.0F ? std::clamp(value, 0.0F, 2.0F * mean) : std::clamp(value, 2.0F * mean, 0.0F);
@@ -52,12 +40,11 @@ Reconstruction::Place Reconstruction::place(const World& world, const SamplingMe
 }
 
 Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, const Hierarchy& hierarchy,
-                               bool looks, Task& task) {
+                               std::span<const std::uint8_t> parted_triangles, Task& task) {
   if (elements.merging().merges()) {
     smooth_.emplace(world, mesh, elements, hierarchy, task);
     return;
   }
-  if (looks) find_parted(world, mesh, elements, task);
   for (std::uint32_t element = 0; element < elements.size(); ++element) {
     if (!(elements.exposed_share(element) > 0.0F)) continue;
     const float offset = glm::length(elements.disc(element).centre - mesh.vertices()[element].position);
@@ -68,7 +55,7 @@ Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, con
     for (const CellPoint& point : elements.points(element)) {
       if (!point.exposed) continue;
       const Place at = place(world, mesh, elements, sample_of(world, point));
-      parted |= is_parted(at.triangle);
+      parted |= !parted_triangles.empty() && parted_triangles[at.triangle] != 0;
       count += 1.0F;
       for (std::size_t k = 0; k < 3; ++k) {
         if (at.vertices[k] == element) {
@@ -93,38 +80,23 @@ Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, con
   }
 }
 
-void Reconstruction::find_parted(const World& world, const SamplingMesh& mesh, const Elements& elements, Task& task) {
-  parted_.assign(mesh.triangles().size(), 0);
-  task.parallel_chunks(parted_.size(), triangle_chunk, [&](const ChunkRange& range) {
-    RayStream rays = task.rays(world);
-    for (std::size_t t = range.begin; t < range.end; ++t) {
-      const MeshTriangle& triangle = mesh.triangles()[t];
-      const std::array<std::uint32_t, 1> face{world.scene().triangle_face[mesh.faces()[triangle.face].scene_triangle]};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const CellPoint *a = middle_point(elements, triangle.corners[k]),
-                        *b = middle_point(elements, triangle.corners[(k + 1) % 3]);
-        if (a != nullptr && b != nullptr && !nothing_between(world, *a, *b, face, rays)) parted_[t] = 1;
-      }
-    }
-  });
-}
-
-bool Reconstruction::leave_hidden_out(const World& world, const Elements& elements, const SurfaceSample& sample, RayStream& rays,
-                                      Place& place) {
+bool Reconstruction::leave_hidden_out(const World& world, const SamplingMesh& mesh, const Elements& elements,
+                                      const SurfaceSample& sample, RayStream& rays, Place& place) {
   CellPoint here;
   here.origin = world.ray_origin(sample);
   here.normal = sample.normal;
   const std::array<std::uint32_t, 1> face{sample.face};
+  const auto sees = [&](std::size_t k) {
+    if (elements.merging().merges())
+      return nothing_between(world, here, corner_point(world, mesh, place.triangle, k), face, rays);
+    const auto points = elements.points(place.vertices[k]);
+    return std::any_of(points.begin(), points.end(),
+                       [&](const CellPoint& point) { return point.exposed && nothing_between(world, here, point, face, rays); });
+  };
   std::array<float, 3> seen{};
   float sum = 0.0F;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!(place.weights[k] > 0.0F)) continue;
-    const auto points = elements.points(elements.of_vertex(place.vertices[k]));
-    const bool sees = std::any_of(points.begin(), points.end(), [&](const CellPoint& point) {
-      return point.exposed && nothing_between(world, here, point, face, rays);
-    });
-    if (sees) seen[k] = place.weights[k], sum += seen[k];
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (place.weights[k] > 0.0F && sees(k)) seen[k] = place.weights[k], sum += seen[k];
   if (!(sum > 0.0F)) return false;
   for (std::size_t k = 0; k < 3; ++k) place.weights[k] = seen[k] / sum;
   return true;

@@ -20,16 +20,15 @@ namespace gibench::antiradiance {
 class Reconstruction {
  public:
   Reconstruction() = default;
-  /// No argument is kept. `looks`: rays tell which of the mesh's triangles other surfaces part.
-  Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, const Hierarchy& hierarchy, bool looks,
-                 Task& task);
+  /// No argument is kept. `parted_triangles`: see parted_triangles.h; empty: none.
+  Reconstruction(const World& world, const SamplingMesh& mesh, const Elements& elements, const Hierarchy& hierarchy,
+                 std::span<const std::uint8_t> parted_triangles, Task& task);
 
   /// Values at the vertices from the elements' means; raised at most twofold, not turned in sign.
   std::vector<Rgb> vertex_values(std::span<const Rgb> means) const;
 
   std::size_t bytes() const {
-    return rows_.capacity() * sizeof(Row) + weights_.capacity() * sizeof(Weight) + parted_.capacity() +
-           (smooth_ ? smooth_->bytes() : 0);
+    return rows_.capacity() * sizeof(Row) + weights_.capacity() * sizeof(Weight) + (smooth_ ? smooth_->bytes() : 0);
   }
 
   /// The mesh's corners and their weights at a sample; all weights zero where there is nothing to interpolate.
@@ -40,12 +39,10 @@ class Reconstruction {
     bool in_doubt = false;       ///< an element here reaches inside geometry: so may the sample
     bool covered() const { return weights[0] + weights[1] + weights[2] > 0.0F; }
   };
-  /// Whether another surface lies between the elements of a triangle of the mesh.
-  bool is_parted(std::uint32_t triangle) const { return !parted_.empty() && parted_[triangle] != 0; }
-  /// Takes the elements out of a place that another surface hides from the sample; leaves all where it hides all, and returns
-  /// false.
-  static bool leave_hidden_out(const World& world, const Elements& elements, const SurfaceSample& sample, RayStream& rays,
-                               Place& place);
+  /// Takes the elements (or of merged ones the corners) out of a place that another surface hides from the sample; leaves all
+  /// where it hides all, and returns false.
+  static bool leave_hidden_out(const World& world, const SamplingMesh& mesh, const Elements& elements,
+                               const SurfaceSample& sample, RayStream& rays, Place& place);
   static Place place(const World& world, const SamplingMesh& mesh, const Elements& elements, const SurfaceSample& sample);
 
  private:
@@ -57,12 +54,10 @@ class Reconstruction {
     std::uint32_t element, begin, end;
     float own;
   };
-  void find_parted(const World& world, const SamplingMesh& mesh, const Elements& elements, Task& task);
 
   std::vector<Row> rows_;  ///< of the elements beside their vertex
   std::vector<Weight> weights_;
   std::optional<SmoothWeights> smooth_;  ///< of merged elements
-  std::vector<std::uint8_t> parted_;     ///< the mesh's triangles; empty: none
 };
 
 }  // namespace gibench::antiradiance

@@ -18,8 +18,10 @@ const ParameterTable<Settings>& table() {
                  {"antiradiance", Mode::antiradiance}},
                 "ambient accessibility; one bounce of discs; traced visibility; nearest of a bin; negative light instead of "
                 "visibility"),
-      parameter("elements", &Settings::elements, 1, 4e6,
-                "disc elements wanted: faces are cut until there are about so many, or vertices share discs until there are"),
+      parameter(
+          "elements", &Settings::elements, 0, 4e6,
+          "disc elements wanted: faces are cut until there are about so many, or vertices share discs until there are; 0: as "
+          "many as the scene needs (4096, or more where it has more corners; 4096 with light by direction)"),
       parameter("merge", &Settings::merge,
                 "vertices share discs where the scene's own are more than `elements`, and twice as many when cut; false: each "
                 "has its own, as "
@@ -35,6 +37,9 @@ const ParameterTable<Settings>& table() {
       parameter("tolerance", &Settings::tolerance, 1e-5, 1.0,
                 "largest form factor (times relative radiosity and area) of an accepted link"),
       parameter("visibility_rays", &Settings::visibility_rays, 1, 4096, "rays per link, in radiosity mode"),
+      parameter("split_partial", &Settings::split_partial,
+                "radiosity: links of several elements that rays find free in part are taken apart; false: as in the text, their "
+                "factor is multiplied by the free share"),
       parameter("closure_rays", &Settings::closure_rays, 0, 65536,
                 "rays of an element that measure what its form factors must sum to; 0: they are only kept to one at most"),
       parameter("bins", &Settings::bins, 4, 128, "directional bins along a side of the map of the sphere: n means n² bins; even"),

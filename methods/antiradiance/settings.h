@@ -15,18 +15,19 @@ enum class BinWinner { middle, links };
 struct Settings {
   Mode mode = Mode::antiradiance;
   // Elements.
-  int elements = 4096;        ///< wanted
+  int elements = 0;           ///< wanted; 0: as many as the scene needs
   bool merge = true;          ///< where the scene's own vertices are many more than `elements`
   float crease_degrees = 40;  ///< vertices are split where faces turn by more
   int cell_points = 16;       ///< points of a cell, for rays and near form factors
-  int backface_rays = 8;      ///< all must meet backs for a point to count as inside geometry
+  int backface_rays = 64;     ///< all must meet backs for a point to count as inside geometry
   bool near_cells = true;     ///< elements that nearly touch exchange light as cells, not as discs
   // Links.
   OracleKind oracle = OracleKind::geometry;
   float tolerance = 0.01F;
-  int visibility_rays = 4;  ///< a link, in radiosity mode
-  int closure_rays = 256;   ///< an element; 0: form factors are only kept from summing to more than one
-  int bins = 12;            ///< along a side of the square that the sphere is mapped to
+  int visibility_rays = 4;    ///< a link, in radiosity mode
+  bool split_partial = true;  ///< links that rays find free in part are taken apart, in radiosity mode
+  int closure_rays = 256;     ///< an element; 0: form factors are only kept from summing to more than one
+  int bins = 12;              ///< along a side of the square that the sphere is mapped to
   BinWinner bin_winner = BinWinner::middle;
   // Iteration.
   double residual = 1e-4;

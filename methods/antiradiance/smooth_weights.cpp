@@ -7,6 +7,7 @@
 
 #include "methods/antiradiance/over_obstacles.h"
 #include "methods/antiradiance/pull.h"
+#include "methods/antiradiance/representatives.h"
 
 namespace gibench::antiradiance {
 
@@ -17,7 +18,7 @@ constexpr float roundness = 0.25F;     // of the square of a disc's radius, adde
 constexpr float least_cosine = 0.3F;   // between a vertex's normal and an element's, from which the latter counts
 constexpr float least_of_own = 0.02F;  // height of its own element's hill at every vertex
 constexpr int corrections = 2;
-constexpr std::size_t vertex_chunk = 256, element_chunk = 64;
+constexpr std::size_t element_chunk = 64;
 
 /// An element as its neighbours see it.
 struct Hill {
@@ -77,29 +78,41 @@ class SmoothWeights::Maker {
         });
   }
 
-  /// The weights of one vertex, which sum to one; none where its element takes no part.
-  void weigh(std::uint32_t vertex, RayStream& rays, std::vector<Entry>& row) const {
-    const std::size_t first = row.size();
+  /// The elements whose hills may reach one of the vertices that `vertex` stands for, `reach` metres around it, and that nothing
+  /// hides from it. Empty where its element takes no part.
+  void find_neighbours(std::uint32_t vertex, float reach, RayStream& rays, std::vector<std::uint32_t>& found) const {
+    found.clear();
     const std::uint32_t own = elements_.of_vertex(vertex);
     if (!(elements_.disc(own).area > 0.0F)) return;
     const MeshVertex& at = mesh_.vertices()[vertex];
     const Lookout lookout(world_, mesh_, vertex, std::sqrt(elements_.disc(own).area / pi), rays);
-    float sum = 0.0F;
     for (const std::uint32_t root : hierarchy_.roots())
       visit_down(hierarchy_.nodes(), root, [&](std::uint32_t index) {
         const Node& node = hierarchy_.nodes()[index];
         const Vec3 d = node.centre - at.position;
-        const float reach = node.reach + supports_[index];
-        if (glm::dot(d, d) > reach * reach) return false;
+        const float furthest = node.reach + supports_[index] + reach;
+        if (glm::dot(d, d) > furthest * furthest) return false;
         if (!node.is_leaf()) return true;
         const std::uint32_t element = hierarchy_.element(node);
-        const float weight = element == own ? std::max(least_of_own, weight_of(element, at)) : weight_of(element, at);
-        if (!(weight > 0.0F) || !alike(element, own)) return false;
-        if (element != own && !lookout.sees(hills_[element].lookout, rays)) return false;
-        row.push_back({element, weight});
-        sum += weight;
+        if (element == own ||
+            (may_reach(element, at, reach) && alike(element, own) && lookout.sees(hills_[element].lookout, rays)))
+          found.push_back(element);
         return false;
       });
+  }
+
+  /// The weights of one vertex, which sum to one.
+  void weigh(std::uint32_t vertex, std::span<const std::uint32_t> neighbours, std::vector<Entry>& row) const {
+    const std::size_t first = row.size();
+    const std::uint32_t own = elements_.of_vertex(vertex);
+    const MeshVertex& at = mesh_.vertices()[vertex];
+    float sum = 0.0F;
+    for (const std::uint32_t element : neighbours) {
+      const float weight = element == own ? std::max(least_of_own, weight_of(element, at)) : weight_of(element, at);
+      if (!(weight > 0.0F)) continue;
+      row.push_back({element, weight});
+      sum += weight;
+    }
     for (std::size_t i = first; i < row.size(); ++i) row[i].weight /= sum;
   }
 
@@ -108,6 +121,13 @@ class SmoothWeights::Maker {
     const Hill& hill = hills_[element];
     const float cosine = glm::dot(hill.normal, at.normal);
     return cosine > least_cosine ? hill.height(at.position - hill.centre) * (cosine - least_cosine) : 0.0F;
+  }
+  /// Whether the element has any weight for some place and normal within `reach` metres; exact for a vertex by itself.
+  bool may_reach(std::uint32_t element, const MeshVertex& at, float reach) const {
+    if (!(reach > 0.0F)) return weight_of(element, at) > 0.0F;
+    const float furthest = hills_[element].support + reach;
+    const Vec3 d = at.position - hills_[element].centre;
+    return glm::dot(d, d) < furthest * furthest && glm::dot(hills_[element].normal, at.normal) > -least_cosine;
   }
   bool alike(std::uint32_t a, std::uint32_t b) const {
     return elements_.sheet(a) == elements_.sheet(b) && elements_.reached(a) == elements_.reached(b);
@@ -125,19 +145,38 @@ SmoothWeights::SmoothWeights(const World& world, const SamplingMesh& mesh, const
                              Task& task) {
   const std::size_t count = mesh.vertices().size();
   const Maker maker(world, mesh, elements, hierarchy, task);
-  std::vector<std::vector<Entry>> rows(chunk_count(count, vertex_chunk));
+  const Grouped members(elements.merging().of_vertex, elements.size());
+  const Representatives representatives(mesh, members, task);
+  std::vector<std::vector<Entry>> rows(chunk_count(elements.size(), element_chunk));
+  std::vector<std::uint32_t> places(count, 0);  // of the vertices' rows in those of their chunk
   row_begin_.assign(count + 1, 0);
-  task.parallel_chunks(count, vertex_chunk, [&](const ChunkRange& range) {
+  task.parallel_chunks(elements.size(), element_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
-    for (std::size_t v = range.begin; v < range.end; ++v) {
-      const std::size_t before = rows[range.chunk].size();
-      maker.weigh(static_cast<std::uint32_t>(v), rays, rows[range.chunk]);
-      row_begin_[v + 1] = static_cast<std::uint32_t>(rows[range.chunk].size() - before);
-    }
+    std::vector<Entry>& own = rows[range.chunk];
+    std::vector<std::uint32_t> neighbours;
+    for (std::size_t e = range.begin; e < range.end; ++e)
+      for (const std::uint32_t representative : representatives.of(e)) {
+        const auto stands_for = [&](std::uint32_t v) { return representatives.of_vertex(v) == representative; };
+        float squared = 0.0F;
+        for (const std::uint32_t v : members.of(e)) {
+          const Vec3 d = mesh.vertices()[v].position - mesh.vertices()[representative].position;
+          if (stands_for(v)) squared = std::max(squared, glm::dot(d, d));
+        }
+        maker.find_neighbours(representative, std::sqrt(squared), rays, neighbours);
+        for (const std::uint32_t v : members.of(e)) {
+          if (!stands_for(v)) continue;
+          places[v] = static_cast<std::uint32_t>(own.size());
+          maker.weigh(v, neighbours, own);
+          row_begin_[v + 1] = static_cast<std::uint32_t>(own.size()) - places[v];
+        }
+      }
   });
   for (std::size_t v = 0; v < count; ++v) row_begin_[v + 1] += row_begin_[v];
-  entries_.reserve(row_begin_.back());
-  for (const std::vector<Entry>& row : rows) entries_.insert(entries_.end(), row.begin(), row.end());
+  entries_.resize(row_begin_.back());
+  for (std::size_t v = 0; v < count; ++v) {
+    const std::vector<Entry>& from = rows[elements.of_vertex(static_cast<std::uint32_t>(v)) / element_chunk];
+    std::copy_n(from.begin() + places[v], row_begin_[v + 1] - row_begin_[v], entries_.begin() + row_begin_[v]);
+  }
   std::vector<float> whole(elements.size(), 0.0F);
   for (std::uint32_t v = 0; v < count; ++v) {
     own_.push_back(elements.of_vertex(v));

@@ -1,19 +1,15 @@
-/// Visibility of elements by rays: how much of each link is free, and how much of a hemisphere is closed.
+/// The surroundings of elements by rays: how much of each hemisphere is closed, and which elements are in one space.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/method/task.h"
 #include "methods/antiradiance/elements.h"
-#include "methods/antiradiance/hierarchy.h"
-#include "methods/antiradiance/links.h"
 
 namespace gibench::antiradiance {
-
-/// Multiplies every link's factor by the share of `rays` segments between random points of both ends, even by area, that nothing
-/// stops, and takes out the links that are wholly blocked. Points inside geometry are not drawn: areas do not hold them either.
-void trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, int rays, LinkTable& links,
-                 Task& task);
 
 /// What rays from every element find around it.
 struct Surroundings {
@@ -21,6 +17,16 @@ struct Surroundings {
   std::vector<std::uint32_t> space;  ///< elements between which no chain of rays leads are in different spaces: nothing that
                                      ///< happens in one is of any account in the other
 };
-Surroundings look_around(const World& world, const SamplingMesh& mesh, const Elements& elements, int rays, Task& task);
+/// How it is looked around.
+struct LookRule {
+  int rays = 0;  ///< of every element
+  /// Whether what sees the black back of a surface is in one space with what its front sees: with negative light, which leaves
+  /// the front for light that arrives at the back.
+  bool over_black_backs = false;
+  std::span<const std::uint8_t> parted_triangles = {};  ///< see parted_triangles.h: spaces only touch there; empty: none
+  bool is_parted(std::size_t triangle) const { return !parted_triangles.empty() && parted_triangles[triangle] != 0; }
+};
+Surroundings look_around(const World& world, const SamplingMesh& mesh, const Elements& elements, const LookRule& rule,
+                         Task& task);
 
 }  // namespace gibench::antiradiance

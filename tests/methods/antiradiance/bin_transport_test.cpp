@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "common/scene/made_scenes.h"
@@ -68,6 +69,74 @@ TEST(BinTransport, BentNodesPassRadianceDown) {
       EXPECT_NEAR(arrived, expected, 0.05F * expected + 1e-6F) << leaf << ' ' << k;
     }
   }
+}
+
+/// So many sheets in line above a lit square, as far apart as asked for.
+Scene sheets_in_line(int count, float spacing) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  for (int i = 0; i < count; ++i) {
+    const float y = 0.3F + spacing * static_cast<float>(i);
+    builder.quad("sheet " + std::to_string(i), white, {{{0.0F, y, 0.0F}, {1.0F, y, 0.0F}, {1.0F, y, 1.0F}, {0.0F, y, 1.0F}}});
+  }
+  builder.quad("lit", white, {{{0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}}});
+  return builder.build("sheets in line");
+}
+
+/// Terms of both series for light that the lit square sends, as norms.
+struct TermsInLine {
+  TermsInLine(int sheets, float spacing, int terms) {
+    const World world(sheets_in_line(sheets, spacing));
+    Task task;
+    Settings settings = plain_settings();
+    settings.elements = 300;
+    const Discretisation parts(world, settings, task);
+    const Linking linking = make_linking(world, parts, settings, Visibility::antiradiance, {}, task);
+    BinTransport transport(parts.hierarchy, linking.links, *linking.bins);
+    std::vector<Rgb> sent;
+    for (const std::uint32_t element : parts.hierarchy.order())
+      sent.push_back(parts.elements.sheet(element) / 2 == static_cast<std::uint32_t>(sheets) ? Rgb(1.0F) : Rgb());
+    const std::vector<Rgb> albedo(sent.size(), Rgb(0.5F));
+    const Reflection reflection{albedo, {}, nullptr};
+    Vector first, next;
+    transport.transport_sources(sent, {}, first, task);
+    Vector taken = first, all = first;
+    for (int k = 0; k < terms; ++k) {
+      transport.transport_through(taken, next, task);
+      taken.swap(next);
+      taken_away.push_back(static_cast<double>(taken.norm() / first.norm()));
+      transport.transport(all, reflection, next, task);
+      all.swap(next);
+      at_once.push_back(static_cast<double>(all.norm() / first.norm()));
+    }
+    depths = transport.depths(task);
+  }
+  std::vector<double> taken_away, at_once;
+  std::vector<float> depths;
+};
+
+/// Negative light alone swells, and ends when it has passed every surface in line. With what surfaces reflect on the way it has
+/// no end where many stand in line, whether they are far apart beside the elements (of 0.16 m) or near.
+TEST(BinTransport, NegativeLightEndsAfterTheLastSurfaceInLine) {
+  for (const float spacing : {0.2F, 0.02F}) {
+    const TermsInLine two(2, spacing, 30), twelve(12, spacing, 30);
+    EXPECT_LT(two.taken_away[6], 1e-4) << spacing;
+    EXPECT_LT(two.at_once[29], 1e-2) << spacing;
+    EXPECT_GT(*std::max_element(twelve.taken_away.begin(), twelve.taken_away.end()), 5.0) << spacing;
+    EXPECT_LT(twelve.taken_away[19], 1e-4) << spacing;
+    EXPECT_GT(twelve.at_once[29], 1e3) << spacing;
+  }
+}
+
+/// Below each sheet there are those before it and the lit square.
+TEST(BinTransport, DepthsCountSurfacesInLine) {
+  const TermsInLine few(2, 0.02F, 0), many(12, 0.02F, 0);
+  const float most_few = *std::max_element(few.depths.begin(), few.depths.end()),
+              most_many = *std::max_element(many.depths.begin(), many.depths.end());
+  EXPECT_GT(most_few, 1.0F);
+  EXPECT_LT(most_few, 3.0F);
+  EXPECT_GT(most_many, 6.0F);
+  EXPECT_LT(most_many, 14.0F);
 }
 
 /// A radiosity that is the same everywhere is whole units: nothing is rounded on the way.

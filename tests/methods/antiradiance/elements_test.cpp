@@ -18,7 +18,7 @@ struct Made {
       : world(std::move(scene)),
         task({.seed = 1, .threads = threads, .cancel = {}, .on_progress = {}}),
         mesh(world, {edge_length, 40.0F, true}),
-        elements(world, mesh, 16, {8, true}, task),
+        elements(world, mesh, 16, {64, true}, task),
         hierarchy(elements, {}, task) {}
   World world;
   Task task;
@@ -96,6 +96,16 @@ TEST(Elements, BehindACoplanarFaceTakeNoPart) {
     EXPECT_NEAR(of_floor, 16.0 - 4.0, 32.0 * 0.0625 / 16.0 + 0.02) << rug_first;
     EXPECT_NEAR(of_rug, 4.0, 1e-4) << rug_first;
   }
+}
+
+/// Nothing is closed there: a twentieth of what the second sheet's middle could see is open on all sides.
+TEST(Elements, BehindTheBackOfASheetAreNotInsideGeometry) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  for (const float y : {1.0F, 1.5F})
+    builder.quad("facing down", white, {{{-2.0F, y, -2.0F}, {2.0F, y, -2.0F}, {2.0F, y, 2.0F}, {-2.0F, y, 2.0F}}});
+  const Made made(builder.build("two sheets"), 0.5);
+  for (std::uint32_t i = 0; i < made.elements.size(); ++i) EXPECT_EQ(made.elements.exposed_share(i), 1.0F) << i;
 }
 
 /// A room that a sheet parts at this height; its back is black.

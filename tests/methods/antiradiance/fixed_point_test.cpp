@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gibench::antiradiance {
@@ -36,6 +38,31 @@ TEST(FixedPoint, SeriesThatFadesIsSummed) {
   EXPECT_EQ(solved.outcome.termination, Termination::converged);
   EXPECT_EQ(solved.outcome.ended_with, Iteration::neumann);
   expect_solution(solved, eigenvalues, 1e-3F);
+}
+
+/// Surfaces in line, each of which takes from all behind it what arrives there, in so many units: the terms are (−1)^k C(n, k).
+/// Patience lets them swell and fade; what rounding took from their sum is summed anew.
+TEST(FixedPoint, SurfacesInLineEndTheSeries) {
+  constexpr Eigen::Index surfaces = 20;
+  constexpr float units = 32767.0F;
+  const LinearMap map = [&](const Vector& in, Vector& out) {
+    float sum = 0.0F;
+    const float unit = std::max(1e-30F, in.cwiseAbs().maxCoeff()) / units;
+    for (Eigen::Index i = 0; i < surfaces; ++i) out[i] = -std::round(sum / unit) * unit, sum += in[i];
+  };
+  Task task;
+  const Vector b = Vector::Ones(surfaces), first_alone = Vector::Unit(surfaces, 0);
+  Vector x;
+  EXPECT_NE(solve_fixed_point(b, map, {}, x, task).ended_with, Iteration::neumann);
+  FixedPointRule rule;
+  rule.patience = 64;
+  solve_fixed_point(b, map, rule, x, task);
+  EXPECT_GT((x - first_alone).cwiseAbs().maxCoeff(), 1.0F);
+  rule.rounding = 0.5 / static_cast<double>(units);
+  const FixedPointOutcome outcome = solve_fixed_point(b, map, rule, x, task);
+  EXPECT_EQ(outcome.termination, Termination::converged) << outcome.message;
+  EXPECT_EQ(outcome.ended_with, Iteration::neumann);
+  EXPECT_LT((x - first_alone).cwiseAbs().maxCoeff(), 1e-3F);
 }
 
 TEST(FixedPoint, NegativeLightThatGrowsIsDamped) {

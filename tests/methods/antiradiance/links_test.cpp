@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "methods/antiradiance/accessibility.h"
 #include "methods/antiradiance/discretisation.h"
 #include "methods/antiradiance/interreflection.h"
+#include "methods/antiradiance/link_tracing.h"
 #include "methods/antiradiance/patch_transport.h"
 #include "methods/antiradiance/refinement.h"
 
@@ -155,24 +157,35 @@ struct HiddenSender {
   std::optional<World> world;
 };
 
-TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
-  const HiddenSender scene;
+/// One link from a node over the large square and some of the small ones to one of the receiver.
+struct LinkFromHidden {
+  LinkFromHidden() : parts(*scene.world, settings({{"elements", "20"}, {"closure_rays", "0"}, {"merge", "false"}}), task) {
+    const auto node_of = [&](std::uint32_t sheet) {
+      const auto nodes = parts.hierarchy.nodes();
+      for (std::uint32_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].sheet == sheet) return i;
+      return no_element;
+    };
+    const std::uint32_t receiver = node_of(0);
+    sender = node_of(2);
+    for (std::uint32_t i = 0; i <= parts.hierarchy.size(); ++i) links.row_begin.push_back(i <= receiver ? 0 : 1);
+    links.senders.push_back({sender});
+    links.factors.push_back(1.0F);
+  }
+  std::size_t trace(float most_partial) {
+    return trace_links(*scene.world, parts.elements, parts.hierarchy, {4096, true, most_partial}, links, task);
+  }
+  HiddenSender scene;
   Task task;
-  const Settings rule = settings({{"elements", "20"}, {"closure_rays", "0"}, {"merge", "false"}});
-  const Discretisation parts(*scene.world, rule, task);
-  // A node over the large square and some of the small ones, and one of the receiver.
-  const auto node_of = [&](std::uint32_t sheet) {
-    const auto nodes = parts.hierarchy.nodes();
-    for (std::uint32_t i = 0; i < nodes.size(); ++i)
-      if (nodes[i].sheet == sheet) return i;
-    return no_element;
-  };
-  const std::uint32_t receiver = node_of(0), sender = node_of(2);
+  Discretisation parts;
   LinkTable links;
-  for (std::uint32_t i = 0; i <= parts.hierarchy.size(); ++i) links.row_begin.push_back(i <= receiver ? 0 : 1);
-  links.senders.push_back({sender});
-  links.factors.push_back(1.0F);
-  trace_links(*scene.world, parts.elements, parts.hierarchy, 4096, links, task);
+  std::uint32_t sender = 0;
+};
+
+TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
+  LinkFromHidden made;
+  EXPECT_EQ(made.trace(std::numeric_limits<float>::infinity()), 0U);
+  const auto& [scene, task, parts, links, sender] = made;
   const Node& node = parts.hierarchy.nodes()[sender];
   float free = 0.0F, elements = 0.0F;
   for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf) {
@@ -185,6 +198,19 @@ TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
   // Of 4096 rays; none of them free would take out the link.
   const float seen = links.size() == 1 ? links.factors[0] : 0.0F;
   EXPECT_NEAR(seen, share, 4.0F * std::sqrt(share / 4096.0F));
+}
+
+/// What is hidden sends nothing, and what is free is linked by itself, wholly.
+TEST(Links, FreeInPartAreTakenApart) {
+  LinkFromHidden made;
+  EXPECT_GT(made.trace(0.0F), 0U);
+  ASSERT_GT(made.links.size(), 0U);
+  for (std::size_t link = 0; link < made.links.size(); ++link) {
+    const Node& node = made.parts.hierarchy.nodes()[made.links.senders[link].node()];
+    EXPECT_LT(node.area, 0.01F * made.parts.hierarchy.nodes()[made.sender].area);
+    for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf)
+      EXPECT_GT(made.parts.elements.disc(made.parts.hierarchy.order()[leaf]).centre.x, 0.0F);
+  }
 }
 
 /// Tiles on a floor and on a ceiling, of one object, or an object each.

@@ -131,7 +131,7 @@ TEST(Merging, MakesFewDiscsOfThousandsOfLoosePieces) {
 
 struct Merged {
   Merged(Scene scene, std::size_t wanted) : world(std::move(scene)), task(task_of_one()), mesh(world, {1e9, 40.0F, true}) {
-    merging = merge_discs(world, mesh, wanted, task);
+    merging = merge_discs(world, mesh, wanted, true, task);
   }
   /// Whether an element has vertices of which this is true and others of which it is not.
   template <class Predicate>
