@@ -39,6 +39,7 @@ struct Settings {
   // Basis (section 4.2).
   int neighbours = 10;        ///< k of the nearest-neighbour radius
   double radius_limit = 4.0;  ///< largest radius of a basis function, in disc radii of its level
+  int cut_levels = 2;         ///< the last ones, whose functions end at walls
   int corrections = 1;        ///< repetitions of a level on its own points
   // Transport (section 6.3).
   int rays = 512;            ///< of a gather
