@@ -57,7 +57,7 @@ class LightAtPoints {
   const Settings& settings_;
   int channels_;
   Task& task_;
-  std::vector<Gatherer> gatherers_;  ///< of the coarse levels and, last, of all others
+  std::vector<Gatherer> gatherers_;  ///< of each level
   double direct_mean_ = 0.0;
   bool first_bounce_from_basis_ = false;
   int hit_samples_;     ///< light samples at a hit
