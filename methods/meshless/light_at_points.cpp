@@ -119,7 +119,8 @@ SurfaceSample LightAtPoints::sample(std::uint32_t point) const {
 }
 
 void LightAtPoints::gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Estimate> out,
-                           TransportRows* rows) {
+                           std::span<HitKeeper* const> keepers) {
+  for (HitKeeper* const keeper : keepers) keeper->announce(points);
   std::vector<std::uint64_t> levels(chunk_count(points.size(), gather_chunk)), evaluations(levels.size()),
       uncovered(levels.size());
   task_.parallel_chunks(points.size(), gather_chunk, [&](const ChunkRange& range) {
@@ -130,7 +131,7 @@ void LightAtPoints::gather(const Sender& sender, int number, std::span<const std
       const Gatherer& gatherer = gatherer_of(points[i]);
       buffers.reach = transport_.hierarchy.radius(points[i]);
       out[i] = gatherer.irradiance(sample(points[i]), key, sender, rays, buffers);
-      if (rows != nullptr) rows->keep(points[i], gatherer, buffers);
+      for (HitKeeper* const keeper : keepers) keeper->keep(points[i], gatherer, buffers);
     }
     levels[range.chunk] = buffers.counts.levels_used;
     evaluations[range.chunk] = buffers.evaluations;
