@@ -45,42 +45,61 @@ class NearestWalls {
   std::array<float, cuts_of_a_function> distance_{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
 };
 
+/// Looks around from points along their surfaces.
+class WallFinder {
+ public:
+  WallFinder(const World& world, const Hierarchy& hierarchy, Task& task)
+      : world_(world), hierarchy_(hierarchy), seed_(task.seed()), stream_(task.rays(world)) {}
+
+  NearestWalls walls_around(std::uint32_t point) {
+    const Vec3& front = world_.normal(hierarchy_.triangle(point));
+    const Vec3 normal = hierarchy_.on_front(point) ? front : -front;
+    aim_around(point, normal);
+    stream_.closest_hits(rays_, hits_);
+    NearestWalls walls;
+    for (std::size_t k = 0; k < hits_.size(); ++k) {
+      if (!hits_[k]) continue;
+      const Vec3& met = world_.normal(hits_[k].triangle);
+      const Vec3 facing = glm::dot(met, rays_[k].direction) <= 0.0F ? met : -met;
+      if (glm::dot(facing, normal) > own_cosine) continue;
+      walls.meet(rays_[k].origin + hits_[k].distance * rays_[k].direction, facing, hits_[k].distance);
+    }
+    return walls;
+  }
+
+ private:
+  void aim_around(std::uint32_t point, const Vec3& normal) {
+    const std::uint32_t triangle = hierarchy_.triangle(point);
+    const Vec3 origin = world_.ray_origin(surface_sample(world_, triangle, hierarchy_.position(point), normal));
+    const Frame frame = frame_along_edge(world_, triangle, normal);
+    const float turn = RandomStream(seed_, turn_stage, point).next_float();
+    for (std::size_t k = 0; k < rays_.size(); ++k) {
+      const float angle = 2.0F * pi * (static_cast<float>(k) + turn) / directions;
+      const Vec3 direction = frame.to_world(Vec3(std::cos(angle), std::sin(angle), elevation));
+      rays_[k] = {origin, 0.0F, glm::normalize(direction), hierarchy_.radius(point)};
+    }
+  }
+
+  const World& world_;
+  const Hierarchy& hierarchy_;
+  std::uint64_t seed_;
+  RayStream stream_;
+  std::array<Ray, directions> rays_;
+  std::array<Hit, directions> hits_;
+};
+
 }  // namespace
 
 void cut_at_walls(const World& world, Hierarchy& hierarchy, int last_levels, Task& task) {
   if (hierarchy.levels() < 2 || last_levels <= 0) return;
-  const std::uint32_t first_level =
-      hierarchy.levels() - std::min(hierarchy.levels() - 1, static_cast<std::uint32_t>(last_levels));
-  const std::uint32_t begin = hierarchy.level_begin(first_level), end = hierarchy.size();
-  std::vector<Cut> cuts(std::size_t{cuts_of_a_function} * (end - begin));
-  task.parallel_chunks(end - begin, point_chunk, [&](const ChunkRange& range) {
-    RayStream stream = task.rays(world);
-    std::array<Ray, directions> rays;
-    std::array<Hit, directions> hits;
+  const std::uint32_t cut_levels = std::min(hierarchy.levels() - 1, static_cast<std::uint32_t>(last_levels));
+  const std::uint32_t first_level = hierarchy.levels() - cut_levels, begin = hierarchy.level_begin(first_level);
+  std::vector<Cut> cuts(cuts_of_a_function * (hierarchy.size() - begin));
+  task.parallel_chunks(hierarchy.size() - begin, point_chunk, [&](const ChunkRange& range) {
+    WallFinder finder(world, hierarchy, task);
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const std::uint32_t point = begin + static_cast<std::uint32_t>(i);
-      const Vec3& front = world.normal(hierarchy.triangle(point));
-      const Vec3 normal = hierarchy.on_front(point) ? front : -front;
-      const SurfaceSample sample = surface_sample(world, hierarchy.triangle(point), hierarchy.position(point), normal);
-      const Frame frame = frame_along_edge(world, hierarchy.triangle(point), normal);
-      const float turn = RandomStream(task.seed(), turn_stage, point).next_float();
-      for (int k = 0; k < directions; ++k) {
-        const float angle = 2.0F * pi * (static_cast<float>(k) + turn) / directions;
-        Ray& ray = rays[static_cast<std::size_t>(k)];
-        ray = {world.ray_origin(sample), 0.0F, glm::normalize(frame.to_world(Vec3(std::cos(angle), std::sin(angle), elevation)))};
-        ray.t_max = hierarchy.radius(point);
-      }
-      stream.closest_hits(rays, hits);
-      NearestWalls walls;
-      for (std::size_t k = 0; k < hits.size(); ++k) {
-        if (!hits[k]) continue;
-        const Vec3& met = world.normal(hits[k].triangle);
-        const Vec3 facing = glm::dot(met, rays[k].direction) <= 0.0F ? met : -met;
-        if (glm::dot(facing, normal) > own_cosine) continue;
-        walls.meet(rays[k].origin + hits[k].distance * rays[k].direction, facing, hits[k].distance);
-      }
-      for (std::size_t which = 0; which < walls.cuts().size(); ++which)
-        cuts[cuts_of_a_function * i + which] = walls.cuts()[which];
+      const NearestWalls walls = finder.walls_around(begin + static_cast<std::uint32_t>(i));
+      std::copy(walls.cuts().begin(), walls.cuts().end(), &cuts[cuts_of_a_function * i]);
     }
   });
   hierarchy.set_cuts(first_level, std::move(cuts));
