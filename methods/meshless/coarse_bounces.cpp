@@ -7,6 +7,7 @@
 
 #include "common/method/series_termination.h"
 #include "methods/meshless/fit.h"
+#include "methods/meshless/near_hits.h"
 #include "methods/meshless/transport_rows.h"
 
 namespace gibench::meshless {
@@ -14,6 +15,18 @@ namespace gibench::meshless {
 namespace {
 
 constexpr int gather_number = 1;  // of the one gather that there is
+constexpr int most_rounds = 8;    // of what detail changes in detail
+
+/// Σ |c| over the points that have one.
+double magnitude(const Coefficients& coefficients) {
+  double sum = 0.0;
+  for (const std::uint32_t point : coefficients.sorted_points()) {
+    const Rgb value = coefficients[point];
+    sum += std::fabs(static_cast<double>(value.r)) + std::fabs(static_cast<double>(value.g)) +
+           std::fabs(static_cast<double>(value.b));
+  }
+  return sum;
+}
 
 class CoarseBounces {
  public:
@@ -26,7 +39,8 @@ class CoarseBounces {
         bound_(bound),
         task_(task),
         levels_(coarse_levels(hierarchy_, settings)),
-        rows_(hierarchy_, transport.groups, levels_, settings.epsilon_omega, light.channels()) {}
+        rows_(hierarchy_, transport.groups, levels_, settings.epsilon_omega, light.channels()),
+        near_hits_(hierarchy_, transport.groups, levels_, settings.epsilon_omega) {}
 
   IndirectLight solve() {
     const bool single = bound_.bounces.last() == 1;
@@ -41,7 +55,9 @@ class CoarseBounces {
     const BounceSeries& series = bounces.series();
     task_.count("bounces", static_cast<std::uint64_t>(series.bounces()));
     if (task_.cancelled()) return {bounces.sum(), Termination::cancelled, {}};
-    return {single ? final_gather(nullptr) : final_gather(&bounces.sum()), termination_of(series), series.message()};
+    IndirectLight all{single ? final_gather(nullptr) : final_gather(&bounces.sum()), termination_of(series), series.message()};
+    if (!single && !task_.cancelled()) add_missed_detail(all.coefficients, share_sent(bounces));
+    return all;
   }
 
  private:
@@ -49,9 +65,10 @@ class CoarseBounces {
     std::vector<std::uint32_t> points(rows_.size());
     std::iota(points.begin(), points.end(), 0U);
     first_.resize(points.size());
-    TransportRows* const rows = keep_rows ? &rows_ : nullptr;
-    if (direct_ != nullptr) light_.gather(light_.sender_of(*direct_), gather_number, points, first_, rows);
-    else light_.gather(light_.direct_sender(), gather_number, points, first_, rows);
+    if (keep_rows) keepers_ = {&near_hits_, &rows_};
+    if (direct_ != nullptr) light_.gather(light_.sender_of(*direct_), gather_number, points, first_, keepers_);
+    else light_.gather(light_.direct_sender(), gather_number, points, first_, keepers_);
+    if (keep_rows) keepers_.pop_back();
   }
 
   Coefficients fitted(const std::vector<Estimate>& values) const {
@@ -89,11 +106,36 @@ class CoarseBounces {
       const auto fine = std::lower_bound(points.begin(), points.end(), rows_.size());
       const auto known = static_cast<std::size_t>(fine - points.begin());
       for (std::size_t i = 0; i < known; ++i) out[i] = coarse[points[i]];
-      light_.gather(sender, gather_number, points.subspan(known), out.subspan(known));
+      light_.gather(sender, gather_number, points.subspan(known), out.subspan(known), keepers_);
     };
     Coefficients made = approximate(hierarchy_, values, rule, task_);
     task_.count("basis_functions", made.size());
     return made;
+  }
+
+  /// Of the bounces in the solution, those that the final gather was sent: all but the last, which is nothing where the series
+  /// ended by itself.
+  double share_sent(const BounceSum& bounces) const {
+    if (bounces.series().bounces() < bound_.bounces.last()) return 1.0;
+    const double sent = channel_mean(coarsest_mean(bounces.sum()));
+    const double last = channel_mean(coarsest_mean(fitted(rows_.apply(bounces.last(), task_))));
+    return sent > 0.0 ? sent / (sent + last) : 0.0;
+  }
+
+  /// The final gather saw the coarse levels alone; what its near hits missed of the others is added, and what that changes in
+  /// turn.
+  void add_missed_detail(Coefficients& solution, double share) {
+    Coefficients detail(hierarchy_, light_.channels());
+    for (const std::uint32_t point : solution.sorted_points())
+      if (point >= rows_.size()) detail.set(point, solution[point] * static_cast<float>(share));
+    task_.count("near_hits", near_hits_.size());
+    const int rounds = std::min(most_rounds, bound_.bounces.last() - 1);
+    for (int round = 0; round < rounds && !task_.cancelled(); ++round) {
+      detail = fit(near_hits_.arriving(detail, task_), settings_.corrections, task_);
+      add_scaled(solution, detail, Rgb(1.0F));
+      if (!(magnitude(detail) > settings_.residual * magnitude(solution))) break;
+      task_.count("detail_rounds", 1);
+    }
   }
 
   LightAtPoints& light_;
@@ -104,7 +146,9 @@ class CoarseBounces {
   Task& task_;
   std::uint32_t levels_;  ///< that bounces are solved on
   TransportRows rows_;
-  std::vector<Estimate> first_;  ///< the first bounce at the coarse points
+  NearHits near_hits_;
+  std::vector<HitKeeper*> keepers_;  ///< of the gathers to come
+  std::vector<Estimate> first_;      ///< the first bounce at the coarse points
 };
 
 }  // namespace

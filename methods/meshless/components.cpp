@@ -79,7 +79,8 @@ void join_at_t_junctions(const World& world, const std::vector<Edge>& edges, Dis
       });
 }
 
-/// A number for every object, the same for those of one Object::group.
+}  // namespace
+
 std::vector<std::uint32_t> group_numbers(const Scene& scene) {
   std::unordered_map<std::string, std::uint32_t> numbers;
   std::vector<std::uint32_t> of_object;
@@ -87,8 +88,6 @@ std::vector<std::uint32_t> group_numbers(const Scene& scene) {
     of_object.push_back(numbers.try_emplace(object.group, static_cast<std::uint32_t>(numbers.size())).first->second);
   return of_object;
 }
-
-}  // namespace
 
 std::vector<std::uint32_t> connected_components(const World& world) {
   const Scene& scene = world.scene();

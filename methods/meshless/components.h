@@ -13,4 +13,7 @@ namespace gibench::meshless {
 /// one surface.
 std::vector<std::uint32_t> connected_components(const World& world);
 
+/// A number for every object, the same for those of one Object::group.
+std::vector<std::uint32_t> group_numbers(const Scene& scene);
+
 }  // namespace gibench::meshless

@@ -6,6 +6,12 @@
 
 namespace gibench::meshless {
 
+namespace {
+
+constexpr std::size_t lanes_of_a_cut = 4;
+
+}  // namespace
+
 Expansion::Expansion(const Coefficients& coefficients)
     : levels_(coefficients.hierarchy().levels()), groups_(coefficients.hierarchy().groups()), channels_(coefficients.channels()) {
   const Hierarchy& hierarchy = coefficients.hierarchy();
@@ -64,7 +70,20 @@ void Expansion::add_block(const Coefficients& coefficients, std::uint32_t begin,
     for (int channel = 0; channel < 3; ++channel) values[channel][i] = value[channel];
   }
   cluster.blocks.push_back(block);
+  if (begin < end && hierarchy.is_cut(hierarchy.level_of(begin))) add_cuts(hierarchy, begin, end, cluster);
   cluster.values.insert(cluster.values.end(), values, values + coefficients.channels());
+}
+
+void Expansion::add_cuts(const Hierarchy& hierarchy, std::uint32_t begin, std::uint32_t end, Cluster& cluster) {
+  for (std::size_t which = 0; which < cuts_of_a_function; ++which) {
+    Lanes plane[lanes_of_a_cut]{};
+    for (std::uint32_t i = 0; begin + i < end; ++i) {
+      const Cut& cut = hierarchy.cut(begin + i, which);
+      for (int axis = 0; axis < 3; ++axis) plane[axis][i] = cut.normal[axis];
+      plane[3][i] = cut.offset;
+    }
+    cluster.cuts.insert(cluster.cuts.end(), plane, plane + lanes_of_a_cut);
+  }
 }
 
 /// Squared distances in units of the radii.
@@ -73,8 +92,16 @@ Lanes Expansion::squared_ratio(const Block& block, const Vec3& position) {
   return (x * x + y * y + z * z) * block.inverse_radius_squared;
 }
 
-Lanes Expansion::cosine(const Block& block, const Vec3& normal) {
-  return normal.x * block.normal[0] + normal.y * block.normal[1] + normal.z * block.normal[2];
+Lanes Expansion::facing(const Cluster& cluster, std::uint32_t index, const Place& at) {
+  const Block& block = cluster.blocks[index];
+  Lanes made = at.normal.x * block.normal[0] + at.normal.y * block.normal[1] + at.normal.z * block.normal[2];
+  if (cluster.cuts.empty()) return made;
+  const Lanes* plane = &cluster.cuts[cuts_of_a_function * lanes_of_a_cut * index];
+  for (std::size_t which = 0; which < cuts_of_a_function; ++which, plane += lanes_of_a_cut) {
+    const Lanes along = at.position.x * plane[0] + at.position.y * plane[1] + at.position.z * plane[2];
+    made = along > plane[3] ? made : Lanes{};
+  }
+  return made;
 }
 
 /// Eq. 12 and 13 and the sums of Eq. 4, eight basis functions at a time.
@@ -130,7 +157,7 @@ Rgb Expansion::evaluate_channels(const Place& at) const {
     cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
       const Block& block = cluster.blocks[index];
       sums.add_weights<channels>(&cluster.values[std::size_t{channels} * index], squared_ratio(block, at.position),
-                                 cosine(block, at.normal));
+                                 facing(cluster, index, at));
     });
     if (Rgb value; sums.level_value<channels>(value)) sum += value;
   }
@@ -147,7 +174,7 @@ Rgb Expansion::evaluate_channels_seen(const Place& at, const Vec3& receiver, flo
     Sums sums;
     cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
       const Block& block = cluster.blocks[index];
-      const Lanes ratio = squared_ratio(block, at.position), facing = cosine(block, at.normal);
+      const Lanes ratio = squared_ratio(block, at.position), facing = Expansion::facing(cluster, index, at);
       sums.add_weights<channels>(&cluster.values[std::size_t{channels} * index], ratio, facing);
       sums.add_solid_angles(block, receiver, ratio, facing);
     });
@@ -163,7 +190,8 @@ Rgb Expansion::evaluate_channels_seen(const Place& at, const Vec3& receiver, flo
 std::size_t Expansion::bytes() const {
   std::size_t sum = clusters_.capacity() * sizeof(Cluster);
   for (const Cluster& cluster : clusters_)
-    sum += cluster.blocks.capacity() * sizeof(Block) + cluster.values.capacity() * sizeof(Lanes) + cluster.tree.bytes();
+    sum += cluster.blocks.capacity() * sizeof(Block) + cluster.values.capacity() * sizeof(Lanes) +
+           cluster.cuts.capacity() * sizeof(Lanes) + cluster.tree.bytes();
   return sum;
 }
 

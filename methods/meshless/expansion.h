@@ -53,18 +53,21 @@ class Expansion {
   struct Cluster {
     std::vector<Block> blocks;
     std::vector<Lanes> values;  ///< channels_ of every block
+    std::vector<Lanes> cuts;    ///< where the level is cut: of every block, normal and offset of each half-space
     BoxTree tree;
   };
 
   void add_cluster(const Coefficients& coefficients, std::uint32_t level, std::uint32_t group,
                    const std::vector<std::uint32_t>& points);
   static void add_block(const Coefficients& coefficients, std::uint32_t begin, std::uint32_t end, Cluster& cluster);
+  static void add_cuts(const Hierarchy& hierarchy, std::uint32_t begin, std::uint32_t end, Cluster& cluster);
   template <int channels>
   Rgb evaluate_channels(const Place& at) const;
   template <int channels>
   Rgb evaluate_channels_seen(const Place& at, const Vec3& receiver, float solid_angle, std::uint64_t& levels_used) const;
   static Lanes squared_ratio(const Block& block, const Vec3& position);
-  static Lanes cosine(const Block& block, const Vec3& normal);
+  /// Of the normals; 0 beyond a cut.
+  static Lanes facing(const Cluster& cluster, std::uint32_t block, const Place& at);
 
   std::uint32_t levels_ = 0, groups_ = 0;
   /// Lanes of a block with a coefficient that is not zero.
@@ -82,7 +85,7 @@ void Expansion::visit_finest(const Place& at, Visit&& visit) const {
     cluster.tree.visit_point(at.position, [&](std::uint32_t index) {
       const Block& block = cluster.blocks[index];
       const LaneMask adds =
-          (squared_ratio(block, at.position) < 1.0F) & (cosine(block, at.normal) > least_cosine) & counting(cluster, index);
+          (squared_ratio(block, at.position) < 1.0F) & (facing(cluster, index, at) > least_cosine) & counting(cluster, index);
       for (std::uint32_t bits = lane_bits(adds); bits != 0; bits &= bits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(bits));
         visit(Vec3(block.position[0][i], block.position[1][i], block.position[2][i]),

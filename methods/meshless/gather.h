@@ -124,4 +124,14 @@ class Gatherer {
   std::vector<Vec3> pattern_;  ///< local directions, z along the normal
 };
 
+/// Whoever keeps of a gather what its hits serve for once more.
+class HitKeeper {
+ public:
+  virtual ~HitKeeper() = default;
+  /// Points that are about to be gathered.
+  virtual void announce(std::span<const std::uint32_t> points) = 0;
+  /// What the rays of a gather at a point met, which `buffers` hold. Calls for different points may run at the same time.
+  virtual void keep(std::uint32_t point, const Gatherer& gatherer, GatherBuffers& buffers) = 0;
+};
+
 }  // namespace gibench::meshless

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <string>
 #include <tuple>
 
 #include "methods/meshless/components.h"
@@ -28,10 +27,11 @@ Groups by_group_and(const World& world, const std::vector<SideKey>& keys) {
   const Scene& scene = world.scene();
   Groups groups;
   groups.world = &world;
-  std::map<std::tuple<std::string, std::uint32_t, bool, bool>, std::uint32_t> numbers;
+  const std::vector<std::uint32_t> names = group_numbers(scene);
+  std::map<std::tuple<std::uint32_t, std::uint32_t, bool, bool>, std::uint32_t> numbers;
   groups.of_side.reserve(keys.size());
   for (std::size_t side = 0; side < keys.size(); ++side) {
-    const std::string& name = scene.objects[scene.triangle_object[side / 2]].group;
+    const std::uint32_t name = names[scene.triangle_object[side / 2]];
     const SideKey& key = keys[two_sided(scene, side / 2) ? side : side / 2 * 2];
     const auto [found, added] = numbers.try_emplace({name, key.component, key.back, key.sealed}, groups.count);
     if (added) {

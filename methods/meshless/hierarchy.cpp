@@ -121,7 +121,8 @@ std::uint32_t Hierarchy::group_of(std::uint32_t point) const {
 std::size_t Hierarchy::bytes() const {
   std::size_t sum = cluster_begin_.capacity() * sizeof(std::uint32_t) + positions_.capacity() * sizeof(Vec3) +
                     radii_.capacity() * sizeof(float) + normals_.capacity() * sizeof(std::uint32_t) +
-                    sides_.capacity() * sizeof(std::uint32_t) + coarsest_shares_.capacity() * sizeof(double);
+                    sides_.capacity() * sizeof(std::uint32_t) + coarsest_shares_.capacity() * sizeof(double) +
+                    cuts_.capacity() * sizeof(Cut);
   for (const BoxTree& tree : trees_) sum += sizeof(BoxTree) + tree.bytes();
   return sum;
 }

@@ -20,6 +20,14 @@ struct Place {
   std::uint32_t group = 0;
 };
 
+/// A half-space that a basis function is confined to; by default all of space.
+struct Cut {
+  Vec3 normal{0.0F};
+  float offset = -1.0F;  ///< of the plane along the normal, metres
+  bool keeps(const Vec3& position) const { return glm::dot(normal, position) > offset; }
+};
+inline constexpr std::size_t cuts_of_a_function = 2;
+
 class Hierarchy {
  public:
   Hierarchy() = default;
@@ -57,6 +65,15 @@ class Hierarchy {
   /// Calls visit(point, weight) for every basis function of the level that is not zero at the place.
   template <class Visit>
   void visit_covering(std::uint32_t level, const Place& at, Visit&& visit) const {
+    const bool cut = is_cut(level);
+    visit_uncut(level, at, [&](std::uint32_t point, float w) {
+      if (!cut || keeps(point, at.position)) visit(point, w);
+    });
+  }
+
+  /// Likewise for every one that would not be zero there without its cuts.
+  template <class Visit>
+  void visit_uncut(std::uint32_t level, const Place& at, Visit&& visit) const {
     const std::uint32_t begin = cluster_begin(level, at.group), end = cluster_end(level, at.group);
     tree(level, at.group).visit_point(at.position, [&](std::uint32_t block) {
       const std::uint32_t last = std::min(end, begin + (block + 1) * tree_width);
@@ -84,9 +101,25 @@ class Hierarchy {
   }
   void set_coarsest_shares(std::vector<double> shares) { coarsest_shares_ = std::move(shares); }
 
+  /// Half-spaces for the functions of all levels from `first_level` on, cuts_of_a_function each. Without them none is cut.
+  void set_cuts(std::uint32_t first_level, std::vector<Cut> cuts) {
+    first_cut_ = level_begin(first_level);
+    cuts_ = std::move(cuts);
+  }
+  bool is_cut(std::uint32_t level) const { return !cuts_.empty() && level_begin(level) >= first_cut_; }
+  /// Of a point of a level that is cut.
+  const Cut& cut(std::uint32_t point, std::size_t which) const {
+    return cuts_[cuts_of_a_function * (point - first_cut_) + which];
+  }
+
   std::size_t bytes() const;
 
  private:
+  bool keeps(std::uint32_t point, const Vec3& position) const {
+    for (std::size_t which = 0; which < cuts_of_a_function; ++which)
+      if (!cut(point, which).keeps(position)) return false;
+    return true;
+  }
   void append(const std::vector<DiscPoint>& points);
   void find_radii(std::uint32_t level, std::uint32_t group, const Settings& settings, float disc_radius, Task& task);
   BoxTree make_tree(std::uint32_t level, std::uint32_t group) const;
@@ -99,6 +132,8 @@ class Hierarchy {
   std::vector<std::uint32_t> sides_;    ///< triangle · 2 + (1 on the back)
   std::vector<BoxTree> trees_;
   std::vector<double> coarsest_shares_;
+  std::uint32_t first_cut_ = 0;  ///< point
+  std::vector<Cut> cuts_;        ///< of all points from that one on
 };
 
 }  // namespace gibench::meshless

@@ -14,12 +14,21 @@ namespace {
 constexpr std::uint64_t gather_stage = 0x676174686572ULL;
 constexpr std::uint64_t direct_stage = 0x64697265637473ULL;
 constexpr std::size_t gather_chunk = 4;   // points
+constexpr int least_rays = 64;            // of a gather on a fine level
 constexpr std::size_t direct_chunk = 64;  // points
 constexpr double gather_noise = 0.03;     // that direct light evaluated at the hits may bring into a gather, of the mean
 constexpr double most_hit_samples = 4.0;  // at a hit, to keep to that; noisier direct light goes through the basis …
 constexpr double point_noise = 0.3;       // … with this much noise at a basis point: a gather sees hundreds of them
 constexpr double most_point_samples = 1024.0;
 constexpr double most_variance_growth = 1.25;  // that fewer hemisphere samples may cost
+
+/// By the levels below the first fine one. The squared noise of such a pattern falls with the 3/2nd power of its rays, and counts
+/// for the area that a gather stands for, a quarter from level to level: its mean is least at a number of rays if these fall by
+/// 2^(4/5) a level. That is where thresholds double; where they are the same on all levels, so are the rays.
+int rays_of_fine_level(const Settings& settings, std::uint32_t level) {
+  const double rays = settings.rays * std::pow(settings.level_growth, -0.8 * level);
+  return std::max(std::min(settings.rays, least_rays), static_cast<int>(std::lround(rays)));
+}
 
 }  // namespace
 
@@ -36,7 +45,8 @@ LightAtPoints::LightAtPoints(const World& world, const Transport& transport, con
   const std::uint32_t levels = std::max(1U, coarse_levels(transport.hierarchy, settings));
   for (std::uint32_t level = 0; level < levels; ++level)
     gatherers_.emplace_back(world, std::max(settings.rays, settings.coarsest_rays >> level));
-  gatherers_.emplace_back(world, settings.rays);
+  for (std::uint32_t level = levels; level < transport.hierarchy.levels(); ++level)
+    gatherers_.emplace_back(world, rays_of_fine_level(settings, level - levels));
   look_at_direct_light();
 }
 
@@ -109,7 +119,8 @@ SurfaceSample LightAtPoints::sample(std::uint32_t point) const {
 }
 
 void LightAtPoints::gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Estimate> out,
-                           TransportRows* rows) {
+                           std::span<HitKeeper* const> keepers) {
+  for (HitKeeper* const keeper : keepers) keeper->announce(points);
   std::vector<std::uint64_t> levels(chunk_count(points.size(), gather_chunk)), evaluations(levels.size()),
       uncovered(levels.size());
   task_.parallel_chunks(points.size(), gather_chunk, [&](const ChunkRange& range) {
@@ -120,7 +131,7 @@ void LightAtPoints::gather(const Sender& sender, int number, std::span<const std
       const Gatherer& gatherer = gatherer_of(points[i]);
       buffers.reach = transport_.hierarchy.radius(points[i]);
       out[i] = gatherer.irradiance(sample(points[i]), key, sender, rays, buffers);
-      if (rows != nullptr) rows->keep(points[i], gatherer, buffers);
+      for (HitKeeper* const keeper : keepers) keeper->keep(points[i], gatherer, buffers);
     }
     levels[range.chunk] = buffers.counts.levels_used;
     evaluations[range.chunk] = buffers.evaluations;

@@ -12,7 +12,6 @@
 #include "methods/meshless/refinement.h"
 #include "methods/meshless/settings.h"
 #include "methods/meshless/transport.h"
-#include "methods/meshless/transport_rows.h"
 
 namespace gibench::meshless {
 
@@ -32,10 +31,10 @@ class LightAtPoints {
   /// Direct light in the basis.
   Coefficients direct();
 
-  /// Estimates at points from what a sender sends. Gathers of different `number` use different random numbers. `rows`: keeps
-  /// what the rays of each gather met; the points must be of its levels.
+  /// Estimates at points from what a sender sends. Gathers of different `number` use different random numbers. `keepers`
+  /// keep what the rays of each gather met.
   void gather(const Sender& sender, int number, std::span<const std::uint32_t> points, std::span<Estimate> out,
-              TransportRows* rows = nullptr);
+              std::span<HitKeeper* const> keepers = {});
 
   RefinementRule rule() const;
   BasisSender sender_of(const Coefficients& coefficients) const {
@@ -57,7 +56,7 @@ class LightAtPoints {
   const Settings& settings_;
   int channels_;
   Task& task_;
-  std::vector<Gatherer> gatherers_;  ///< of the coarse levels and, last, of all others
+  std::vector<Gatherer> gatherers_;  ///< of each level
   double direct_mean_ = 0.0;
   bool first_bounce_from_basis_ = false;
   int hit_samples_;     ///< light samples at a hit

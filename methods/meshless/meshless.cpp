@@ -7,6 +7,7 @@
 #include "common/geometry/has_area.h"
 #include "methods/meshless/coarsest_shares.h"
 #include "methods/meshless/crossings.h"
+#include "methods/meshless/cuts.h"
 #include "methods/meshless/placement.h"
 #include "methods/meshless/settings.h"
 #include "methods/meshless/solver.h"
@@ -76,6 +77,7 @@ class Meshless : public TransportMethod {
     task.count("proposals", placement.proposals);
     task.count("proposals_inside", placement.inside);
     transport_.hierarchy = Hierarchy(std::move(placement), transport_.groups.count, settings, task);
+    if (!is_one_convex_room()) cut_at_walls(world, transport_.hierarchy, settings.cut_levels, task);
     transport_.hierarchy.set_coarsest_shares(coarsest_shares(world, transport_.groups, transport_.hierarchy, task));
     task.count("samples", transport_.hierarchy.size());
     task.count("levels", transport_.hierarchy.levels());

@@ -166,7 +166,8 @@ class Refinement {
   void find_children(std::uint32_t point, std::vector<std::uint32_t>& found) const {
     const std::uint32_t level = hierarchy_.level_of(point) + 1;
     if (level >= hierarchy_.levels()) return;
-    hierarchy_.visit_covering(level, hierarchy_.place(point), [&](std::uint32_t child, float) {
+    // Beyond a wall, too: this function may reach through it.
+    hierarchy_.visit_uncut(level, hierarchy_.place(point), [&](std::uint32_t child, float) {
       if (asked_[child] == 0) found.push_back(child);
     });
   }

@@ -39,9 +39,10 @@ struct Settings {
   // Basis (section 4.2).
   int neighbours = 10;        ///< k of the nearest-neighbour radius
   double radius_limit = 4.0;  ///< largest radius of a basis function, in disc radii of its level
+  int cut_levels = 2;         ///< the last ones, whose functions end at walls
   int corrections = 1;        ///< repetitions of a level on its own points
   // Transport (section 6.3).
-  int rays = 512;            ///< of a gather
+  int rays = 512;            ///< of a gather; fewer on finer levels than the first after bounce_levels, see LightAtPoints
   int coarsest_rays = 2048;  ///< of a gather on level 0, half of it on each further one of bounce_levels: their noise remains
                              ///< where light is smooth
   double epsilon_e = 0.04;   ///< receiver threshold, share of the mean irradiance

@@ -14,16 +14,16 @@ namespace gibench::meshless {
 /// T of Lehtinen et al. 2007, section 5.1, between all points of the levels below `levels`: the row of a receiver holds, for
 /// every basis function that its rays met, Σ albedo · B_k(hit) / rays. So one gather serves every bounce: the irradiance that a
 /// function of these levels brings to a receiver is the product of its row and the function's coefficients.
-class TransportRows {
+class TransportRows : public HitKeeper {
  public:
   TransportRows(const Hierarchy& hierarchy, const Groups& groups, std::uint32_t levels, double epsilon_omega, int channels);
 
   /// Receivers, and senders: the points of these levels, which come first in the hierarchy.
   std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
 
-  /// Keeps what the rays of a gather at a point met, which `buffers` hold, and counts there the hits that no basis function
-  /// covers. Calls for different points may run at the same time.
-  void keep(std::uint32_t point, const Gatherer& gatherer, GatherBuffers& buffers);
+  void announce(std::span<const std::uint32_t>) override {}
+  /// Counts in the buffers the hits that no basis function covers.
+  void keep(std::uint32_t point, const Gatherer& gatherer, GatherBuffers& buffers) override;
 
   /// The irradiance that arrives at each point from a function of these levels, W/m². The deviation is that of the
   /// pattern's share of reflecting hits, times the mean irradiance that they see.

@@ -51,10 +51,15 @@ TEST(Meshless, CountsPlacesWhereItsFunctionsReachPastASurface) {
     builder.quad("above", white, {{{0.2F, 0.301F, 0.2F}, {0.2F, 0.301F, 0.8F}, {0.8F, 0.301F, 0.8F}, {0.8F, 0.301F, 0.2F}}},
                  true);
   });
-  const Setting settings{{"levels", "3"}, {"rays", "64"}, {"coarsest_rays", "64"}, {"groups", "objects"}};
+  const Setting settings{{"levels", "3"}, {"rays", "64"}, {"coarsest_rays", "64"}, {"groups", "objects"}, {"cut_levels", "0"}};
   EXPECT_EQ(shade_counters(bare, settings)["crossed_samples"], 0U);
   EXPECT_GT(shade_counters(bare, settings)["tried_samples"], 500U);
-  EXPECT_GT(shade_counters(parted, settings)["crossed_samples"], 20U);
+  const std::uint64_t crossed = shade_counters(parted, settings)["crossed_samples"];
+  EXPECT_GT(crossed, 20U);
+  Setting cutting = settings;
+  cutting.back().second = "2";
+  EXPECT_LT(shade_counters(parted, cutting)["crossed_samples"], crossed / 2)
+      << "functions that end at the sheet do not reach past it";
   Scene one = slab;
   for (Object& object : one.objects) object.group = "all";
   EXPECT_GT(shade_counters(one, settings)["crossed_samples"], 20U);
