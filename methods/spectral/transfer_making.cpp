@@ -120,14 +120,24 @@ void make_slots(const SurfaceGraph& graph, const Settings& settings, TransferMak
   task.progress("basis", 0.1);
 }
 
+/// Slots that stand among others are put in an order in which those of one block of the slices are neighbours.
 void find_glossy_slots(const std::vector<bool>& glossy_objects, Transfer& transfer, Task& task) {
-  transfer.glossy_row.assign(transfer.basis.slots(), Transfer::no_row);
+  const std::size_t slots = transfer.basis.slots();
+  transfer.glossy_row.assign(slots, Transfer::no_row);
   if (glossy_objects.empty()) return;
-  for (std::uint32_t slot = 0; slot < transfer.basis.slots(); ++slot) {
-    if (!glossy_objects[transfer.node_at(slot).object]) continue;
-    transfer.glossy_row[slot] = static_cast<std::uint32_t>(transfer.glossy_slots.size());
-    transfer.glossy_slots.push_back(slot);
+  for (std::uint32_t slot = 0; slot < slots; ++slot)
+    if (glossy_objects[transfer.node_at(slot).object]) transfer.glossy_row[slot] = 0;  // until it is known
+  std::vector<std::uint32_t> among_others;
+  for (std::uint32_t begin = 0; begin < slots; begin += block_rows) {
+    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(slots, begin + block_rows));
+    std::vector<std::uint32_t>& list =
+        is_whole_block_of_glossy(transfer.glossy_row, begin, end) ? transfer.glossy_slots : among_others;
+    for (std::uint32_t slot = begin; slot < end; ++slot)
+      if (transfer.glossy_row[slot] != Transfer::no_row) list.push_back(slot);
   }
+  put_neighbours_together(transfer.nodes, block_rows, transfer.node_of_slot, among_others);
+  transfer.glossy_slots.insert(transfer.glossy_slots.end(), among_others.begin(), among_others.end());
+  for (std::uint32_t row = 0; row < transfer.glossy_slots.size(); ++row) transfer.glossy_row[transfer.glossy_slots[row]] = row;
   task.count("glossy_vertices", transfer.glossy_slots.size());
 }
 
