@@ -8,6 +8,7 @@
 
 #include "methods/spectral/all_bounces.h"
 #include "methods/spectral/basis_making.h"
+#include "methods/spectral/needs.h"
 #include "methods/spectral/node_making.h"
 #include "methods/spectral/slot_order.h"
 #include "methods/spectral/transfer_filling.h"
@@ -26,8 +27,11 @@ constexpr float first_look = 0.25F;           // of the longest edge: where a pi
 /// Mesh, nodes and their graph.
 class MeshMaking {
  public:
-  MeshMaking(const World& world, const Settings& settings, bool occlusion, Transfer& transfer, Task& task)
-      : world_(world), settings_(settings), occlusion_(occlusion), transfer_(transfer), task_(task) {}
+  /// Sets what the settings leave open.
+  MeshMaking(const World& world, Settings& settings, bool occlusion, Transfer& transfer, Task& task)
+      : world_(world), settings_(settings), occlusion_(occlusion), transfer_(transfer), task_(task) {
+    settle_vertices(world.scene().triangles.size(), settings);
+  }
 
   SurfaceGraph make() {
     if (may_cluster()) light_.emplace(world_, task_);
@@ -47,6 +51,7 @@ class MeshMaking {
     if (task_.cancelled()) return {};
     transfer_.nodes = clusters ? cluster_vertices(world_, mesh, transfer_.interpolation, *light_, wanted, task_) : Nodes(mesh);
     if (clusters) task_.count("clusters", transfer_.nodes.size());
+    settle_basis(transfer_.nodes, settings_);
     SurfaceGraph graph = graph_of(world_, mesh, transfer_.interpolation, transfer_.nodes, task_);
     if (settings_.nodes == NodeKind::clusters && occlusion_)
       join_pieces(world_, mesh, transfer_.nodes,
@@ -74,7 +79,7 @@ class MeshMaking {
   }
 
   const World& world_;
-  const Settings& settings_;
+  Settings& settings_;
   bool occlusion_;
   Transfer& transfer_;
   Task& task_;
@@ -216,8 +221,9 @@ void make_matrices(const World& world, const Settings& settings, const TransferW
 
 }  // namespace
 
-TransferMaking make_transfer(const World& world, const Settings& settings, const TransferWish& wish, Task& task) {
+TransferMaking make_transfer(const World& world, const Settings& asked, const TransferWish& wish, Task& task) {
   TransferMaking making;
+  Settings settings = asked;
   const SurfaceGraph graph = MeshMaking(world, settings, wish.occlusion, making.transfer, task).make();
   if (!task.cancelled()) make_slots(graph, settings, making, task);
   if (!task.cancelled() && succeeded(making.termination)) make_matrices(world, settings, wish, making, task);
