@@ -10,7 +10,7 @@ namespace {
 
 using namespace spectral;
 
-/// The vertices of a mesh of the closed room, pair by pair in one node or each by itself.
+/// So many vertices of a mesh to a node.
 Nodes nodes_of(const SamplingMesh& mesh, std::uint32_t vertices_a_node) {
   std::vector<std::uint32_t> node_of_vertex(mesh.vertices().size());
   for (std::uint32_t v = 0; v < node_of_vertex.size(); ++v) node_of_vertex[v] = v / vertices_a_node;
