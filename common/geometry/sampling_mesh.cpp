@@ -291,6 +291,11 @@ void SamplingMesh::place_sites(const World& world, std::span<const std::uint8_t>
   SitePlacer(*this, world, avoided).place();
 }
 
+void SamplingMesh::forget_sites() {
+  sites_ = {};
+  site_begin_ = {};
+}
+
 SurfaceSample SamplingMesh::sample(const World& world, std::uint32_t vertex, const VertexSite& site) const {
   const Vec3& front = world.normal(site.scene_triangle);
   return world.sample_at(site.scene_triangle, site.barycentrics, vertices_[vertex].front ? front : -front);

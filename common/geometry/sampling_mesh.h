@@ -91,6 +91,8 @@ class SamplingMesh {
   /// Places the sites again, in triangles that are not among these (not zero: avoid) where a vertex has others in the same
   /// plane: those that another surface cuts through may lie on its far side there.
   void place_sites(const World& world, std::span<const std::uint8_t> avoided);
+  /// Frees the memory of the sites: sites() may not be asked from then on.
+  void forget_sites();
   /// A site as a surface sample, on the vertex's side.
   SurfaceSample sample(const World& world, std::uint32_t vertex, const VertexSite& site) const;
 

@@ -11,7 +11,7 @@ namespace gibench {
 namespace {
 
 constexpr float rim = 1e-5F;             // of a barycentric: cells are given what reaches this near to them
-constexpr double cells_a_subface = 2.5;  // along either barycentric, so that most cells meet one or two triangles
+constexpr double cells_a_subface = 1.5;  // along either barycentric, so that most cells meet a few triangles
 
 std::uint32_t cell_of(float coordinate, std::uint32_t width) {
   const float scaled = coordinate * static_cast<float>(width);
@@ -55,8 +55,7 @@ bool SubfaceLookup::reaches(const Entry& entry, std::uint32_t x, std::uint32_t y
 
 void SubfaceLookup::add(std::span<const Subface> subfaces) {
   if (subfaces.size() <= 1) {
-    rasters_.push_back({static_cast<std::uint32_t>(subfaces.size()), static_cast<std::uint32_t>(entries_.size())});
-    if (!subfaces.empty()) add_entry(subfaces.front());
+    rasters_.push_back({static_cast<std::uint32_t>(subfaces.size()), subfaces.empty() ? 0 : subfaces.front().triangle});
     return;
   }
   if (auto cells = SubfaceLattice::of(subfaces)) {

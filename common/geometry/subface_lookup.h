@@ -27,7 +27,7 @@ class SubfaceLookup {
   SubfacePoint find(std::uint32_t outer, Vec2 barycentrics) const {
     const Raster& raster = rasters_[outer];
     if (raster.width == lattice) return lattices_[raster.first_cell].find(barycentrics);
-    if (raster.width == 1) return {entries_[raster.first_cell].triangle, barycentrics.x, barycentrics.y};
+    if (raster.width == 1) return {raster.first_cell, barycentrics.x, barycentrics.y};
     return search(raster, barycentrics);
   }
   /// Starts to fetch what find() will read of these points, which are covered: none of them waits for the memory of another.
@@ -39,7 +39,7 @@ class SubfaceLookup {
   static constexpr std::uint32_t lattice = 0xffffffffU;
   struct Raster {
     std::uint32_t width = 0;       ///< cells along either barycentric; 0: not covered; or lattice
-    std::uint32_t first_cell = 0;  ///< in cell_begin_; of a raster of one triangle its entry; of a lattice its number
+    std::uint32_t first_cell = 0;  ///< in cell_begin_; of a raster of one triangle that; of a lattice its number
   };
   /// (second, third) = matrix · (barycentrics − corner)
   struct Entry {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gibench::spectral {
 
@@ -76,8 +77,11 @@ void Interpolation::cut_edges(const World& world, const SamplingMesh& mesh, Task
 }
 
 void Interpolation::find_sites(const World& world, const SamplingMesh& mesh) {
-  for (std::uint32_t vertex = 0; vertex < mesh.vertices().size(); ++vertex)
-    sites_.push_back(mesh.sample(world, vertex, mesh.sites(vertex).front()).position);
+  constexpr float none = std::numeric_limits<float>::infinity();
+  for (std::uint32_t vertex = 0; vertex < mesh.vertices().size(); ++vertex) {
+    const std::span<const VertexSite> own = mesh.sites(vertex);
+    sites_.push_back(own.size() == 1 ? mesh.sample(world, vertex, own.front()).position : Vec3(none));
+  }
 }
 
 /// A site may lie beyond a surface that passes between it and a triangle without touching that triangle's edges.
@@ -99,7 +103,7 @@ void Interpolation::find_hidden_sites(const World& world, const SamplingMesh& me
 Vec3 Interpolation::site(const SamplingMesh& mesh, std::uint32_t triangle, std::size_t corner, const Vec3& own,
                          const Vec3& up) const {
   const std::uint32_t vertex = mesh.triangles()[triangle].corners[corner];
-  return mesh.sites(vertex).size() == 1 ? sites_[vertex] + up : own;
+  return std::isfinite(sites_[vertex].x) ? sites_[vertex] + up : own;
 }
 
 std::size_t Interpolation::torn_triangles() const {

@@ -43,7 +43,7 @@ class Interpolation {
   Vec3 site(const SamplingMesh& mesh, std::uint32_t triangle, std::size_t corner, const Vec3& own, const Vec3& up) const;
 
   std::vector<std::uint8_t> cut_edges_;  ///< bits of the edges of every mesh triangle; hidden_site
-  std::vector<Vec3> sites_;              ///< of every vertex with one site: where it is
+  std::vector<Vec3> sites_;              ///< of every vertex with one site: where it is; of others infinity
 };
 
 }  // namespace gibench::spectral

@@ -106,6 +106,19 @@ void Nodes::take_sites(const SamplingMesh& mesh, std::uint32_t node, std::vector
   sites_.insert(sites_.end(), all.begin(), all.end());
 }
 
+void Nodes::keep_sites(std::size_t most) {
+  std::vector<NodeSite> kept;
+  std::vector<std::uint32_t> begin{0};
+  for (std::uint32_t node = 0; node < size(); ++node) {
+    const std::span<const NodeSite> own = sites(node);
+    kept.insert(kept.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(std::min(most, own.size())));
+    begin.push_back(static_cast<std::uint32_t>(kept.size()));
+  }
+  kept.shrink_to_fit();
+  sites_ = std::move(kept);
+  site_begin_ = std::move(begin);
+}
+
 std::size_t Nodes::bytes() const {
   return nodes_.size() * sizeof(Node) + sites_.size() * sizeof(NodeSite) +
          (node_of_vertex_.size() + vertex_begin_.size() + vertices_.size() + site_begin_.size()) * sizeof(std::uint32_t);

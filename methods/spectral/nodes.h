@@ -48,6 +48,9 @@ class Nodes {
     return std::span(sites_).subspan(site_begin_[node], site_begin_[node + 1] - site_begin_[node]);
   }
 
+  /// Leaves every node no more than so many sites, the most central first: all that is needed once its rays have run.
+  void keep_sites(std::size_t most);
+
   std::size_t bytes() const;
 
  private:

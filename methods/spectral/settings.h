@@ -34,18 +34,18 @@ enum class DirectAnswer {
 /// Each member is initialised with the default of its parameter.
 struct Settings {
   // Sampling mesh.
-  int vertices = 8000;  ///< wanted; sets the longest edge
+  int vertices = 0;  ///< wanted; sets the longest edge; 0 here and below: by what the scene needs (needs.h)
   NodeKind nodes = NodeKind::clusters;
   double crease_degrees = 40.0;
   // Basis (section 3.1 and 3.3).
-  int part_vertices = 1000;
-  int basis_functions = 1024;  ///< of the whole scene
+  int part_vertices = 0;
+  int basis_functions = 0;  ///< of the whole scene
   Laplacian laplacian = Laplacian::cotan;
   // Transfer (section 3.2).
   Mode mode = Mode::bounces;
-  int rays = 1024;  ///< of a vertex
+  int rays = 0;  ///< of a vertex
   Compression compression = Compression::judged;
-  double compression_error = 0.01;  ///< share of the indirect light that judged compression may add; 0: 32-bit, nothing dropped
+  double compression_error = -1.0;  ///< share of the indirect light that judged compression may add; 0: 32-bit, nothing dropped
   // Relighting.
   int bounces = 1000;      ///< most bounces computed
   double residual = 1e-3;  ///< share of the solution that the bounces left out may hold

@@ -80,6 +80,8 @@ class Spectral : public TransportMethod {
     glossy_objects_ = wish.glossy_objects;
     TransferMaking made = make_transfer(world, settings_, wish, task);
     transfer_ = std::move(made.transfer);
+    transfer_.nodes.keep_sites(static_cast<std::size_t>(settings_.direct_points));
+    if (transfer_.mesh) transfer_.mesh->forget_sites();
     report.termination = made.termination;
     report.message = made.message;
   }

@@ -1,9 +1,18 @@
 #include "methods/spectral/transfer.h"
 
+#include <algorithm>
+
 namespace gibench::spectral {
 
 VertexRays rays_of(const World& world, const Transfer& transfer, int rays, std::uint64_t seed) {
   return {world, *transfer.mesh, transfer.interpolation, transfer.nodes, transfer.weights, rays, seed};
+}
+
+bool is_whole_block_of_glossy(std::span<const std::uint32_t> glossy_row, std::size_t begin, std::size_t end) {
+  return begin % block_rows == 0 && end == begin + block_rows &&
+         std::none_of(glossy_row.begin() + static_cast<std::ptrdiff_t>(begin),
+                      glossy_row.begin() + static_cast<std::ptrdiff_t>(end),
+                      [](std::uint32_t row) { return row == Transfer::no_row; });
 }
 
 std::size_t Transfer::bytes() const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "methods/spectral/basis.h"
@@ -25,13 +26,16 @@ struct Transfer {
   TransferMatrix one_bounce;                    ///< T^s, one row for each slot
   std::vector<TransferMatrix> all_bounces;      ///< T* in mode fixed_albedo: one, or one per channel
   std::vector<std::vector<float>> all_light;    ///< G of T* = T^s G, as many, dense, where there are slices
-  std::vector<std::uint32_t> glossy_slots;      ///< the slots that have harmonic slices
+  std::vector<std::uint32_t> glossy_slots;      ///< the slots that have harmonic slices, row by row, whole blocks first
   std::vector<std::uint32_t> glossy_row;        ///< of every slot: its row in the slices, or no_row
   std::vector<TransferMatrix> harmonic_slices;  ///< T_k^s, k = 1…15; that of the constant harmonic is T^s times it
 
   const Node& node_at(std::size_t slot) const { return nodes[node_of_slot[slot]]; }
   std::size_t bytes() const;
 };
+
+/// Whether slots [begin, end) are a block of rows, all with slices.
+bool is_whole_block_of_glossy(std::span<const std::uint32_t> glossy_row, std::size_t begin, std::size_t end);
 
 /// The rays of the transfer's nodes. It must stay where it is.
 VertexRays rays_of(const World& world, const Transfer& transfer, int rays, std::uint64_t seed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "methods/spectral/transfer_rows.h"
 
@@ -16,75 +17,75 @@ class Filling {
   Filling(const World& world, const VertexRays& rays, Transfer& transfer, Task& task)
       : world_(world), transfer_(transfer), task_(task), makers_(transfer.basis, rays) {}
 
-  /// All rows, section by section; the blocks of each are made in parallel and appended in order.
+  /// All rows, section by section; the blocks of each are made in parallel and appended in order. Then the slices of glossy
+  /// nodes that stand among others, eight of these to a block as well.
   void fill() {
     const std::size_t slots = transfer_.basis.slots();
     for (std::size_t begin = 0; begin < slots && !task_.cancelled(); begin += rows_a_report) {
-      fill_section(begin, std::min(slots, begin + rows_a_report));
-      task_.progress("transfer",
-                     0.12 + 0.85 * static_cast<double>(std::min(slots, begin + rows_a_report)) / static_cast<double>(slots));
+      const std::size_t end = std::min(slots, begin + rows_a_report);
+      fill_section(begin, end,
+                   [&](std::size_t first, std::size_t last, TransferRows& maker) { return make_block(first, last, maker); });
+      task_.progress("transfer", 0.12 + 0.85 * static_cast<double>(end) / static_cast<double>(slots));
     }
+    if (transfer_.harmonic_slices.empty()) return;
+    const std::size_t glossy = transfer_.glossy_slots.size();
+    for (std::size_t begin = transfer_.harmonic_slices.front().rows(); begin < glossy && !task_.cancelled();
+         begin += rows_a_report)
+      fill_section(begin, std::min(glossy, begin + rows_a_report),
+                   [&](std::size_t first, std::size_t last, TransferRows& maker) { return make_slices(first, last, maker); });
   }
 
  private:
-  /// A block of the matrix, and one of every slice if any of its nodes is glossy.
+  /// A block of the matrix, and one of every slice where all its nodes are glossy; or those of the slices alone.
   struct Made {
-    TransferMatrix::Section irradiance;
+    std::optional<TransferMatrix::Section> irradiance;
     std::vector<TransferMatrix::Section> slices;
   };
 
-  void fill_section(std::size_t begin, std::size_t end) {
+  template <class MakeBlock>
+  void fill_section(std::size_t begin, std::size_t end, const MakeBlock& make) {
     std::vector<std::unique_ptr<Made>> made(chunk_count(end - begin, block_rows));
     task_.parallel_chunks(end - begin, block_rows, [&](const ChunkRange& range) {
       makers_.use([&](TransferRows& maker) {
-        made[range.chunk] = std::make_unique<Made>(make_block(begin + range.begin, begin + range.end, maker));
+        made[range.chunk] = std::make_unique<Made>(make(begin + range.begin, begin + range.end, maker));
       });
     });
     for (const auto& block : made) {
       if (!block) continue;  // cancelled
-      transfer_.one_bounce.append(block->irradiance);
+      if (block->irradiance) transfer_.one_bounce.append(*block->irradiance);
       for (std::size_t k = 0; k < block->slices.size(); ++k) transfer_.harmonic_slices[k].append(block->slices[k]);
     }
   }
 
   Made make_block(std::size_t begin, std::size_t end, TransferRows& maker) {
-    const std::size_t columns = transfer_.basis.columns(), slices = transfer_.harmonic_slices.size();
     RayStream stream = task_.rays(world_);
     const std::span nodes = std::span(transfer_.node_of_slot).subspan(begin, end - begin);
-    const std::span glossy_rows = std::span(transfer_.glossy_row).subspan(begin, end - begin);
-    std::vector<std::vector<float>> rows(1 + slices);  // of the irradiance and of every slice, one behind the other
-    rows.front().resize(nodes.size() * columns);
-    if (std::all_of(glossy_rows.begin(), glossy_rows.end(), [](std::uint32_t row) { return row == Transfer::no_row; }))
-      maker.irradiance(nodes, stream, rows.front());
-    else make_glossy_rows(maker, nodes, glossy_rows, stream, rows);
     Made made{TransferMatrix::Section(transfer_.one_bounce), {}};
-    made.irradiance.add_block(rows.front());
-    for (std::size_t k = 0; k < slices; ++k) {
-      made.slices.emplace_back(transfer_.harmonic_slices[k]);
-      if (!rows[1 + k].empty()) made.slices.back().add_block(rows[1 + k]);
+    if (is_whole_block_of_glossy(transfer_.glossy_row, begin, end)) {
+      const std::vector<std::vector<float>> rows = maker.with_harmonics(nodes, stream);
+      made.irradiance->add_block(rows.front());
+      add_slices(rows, made);
+      return made;
     }
+    std::vector<float> rows(nodes.size() * transfer_.basis.columns());
+    maker.irradiance(nodes, stream, rows);
+    made.irradiance->add_block(rows);
     return made;
   }
 
-  /// One node after the other: those without gloss have no rows in the slices.
-  static void make_glossy_rows(TransferRows& maker, std::span<const std::uint32_t> nodes,
-                               std::span<const std::uint32_t> glossy_rows, RayStream& stream,
-                               std::vector<std::vector<float>>& rows) {
-    const std::size_t columns = rows.front().size() / nodes.size();
-    std::vector<float> all(columns * rows.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const std::span<float> irradiance = std::span(rows.front()).subspan(i * columns, columns);
-      if (glossy_rows[i] == Transfer::no_row) {
-        maker.irradiance(nodes[i], stream, irradiance);
-        continue;
-      }
-      maker.with_harmonics(nodes[i], stream, all);
-      std::copy_n(all.begin(), columns, irradiance.begin());
-      for (std::size_t k = 1; k < rows.size(); ++k) {
-        const std::span<float> row = std::span(all).subspan(k * columns, columns);
-        rows[k].insert(rows[k].end(), row.begin(), row.end());
-      }
-    }
+  /// Of rows [begin, end) of the slices.
+  Made make_slices(std::size_t begin, std::size_t end, TransferRows& maker) {
+    RayStream stream = task_.rays(world_);
+    std::vector<std::uint32_t> nodes;
+    for (std::size_t row = begin; row < end; ++row) nodes.push_back(transfer_.node_of_slot[transfer_.glossy_slots[row]]);
+    Made made;
+    add_slices(maker.with_harmonics(nodes, stream), made);
+    return made;
+  }
+
+  void add_slices(const std::vector<std::vector<float>>& rows, Made& made) const {
+    for (std::size_t k = 0; k < transfer_.harmonic_slices.size(); ++k)
+      made.slices.emplace_back(transfer_.harmonic_slices[k]).add_block(rows[1 + k]);
   }
 
   const World& world_;

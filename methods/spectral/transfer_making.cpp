@@ -8,6 +8,7 @@
 
 #include "methods/spectral/all_bounces.h"
 #include "methods/spectral/basis_making.h"
+#include "methods/spectral/needs.h"
 #include "methods/spectral/node_making.h"
 #include "methods/spectral/slot_order.h"
 #include "methods/spectral/transfer_filling.h"
@@ -26,8 +27,11 @@ constexpr float first_look = 0.25F;           // of the longest edge: where a pi
 /// Mesh, nodes and their graph.
 class MeshMaking {
  public:
-  MeshMaking(const World& world, const Settings& settings, bool occlusion, Transfer& transfer, Task& task)
-      : world_(world), settings_(settings), occlusion_(occlusion), transfer_(transfer), task_(task) {}
+  /// Sets what the settings leave open.
+  MeshMaking(const World& world, Settings& settings, bool occlusion, Transfer& transfer, Task& task)
+      : world_(world), settings_(settings), occlusion_(occlusion), transfer_(transfer), task_(task) {
+    settle_vertices(world.scene().triangles.size(), settings);
+  }
 
   SurfaceGraph make() {
     if (may_cluster()) light_.emplace(world_, task_);
@@ -47,6 +51,7 @@ class MeshMaking {
     if (task_.cancelled()) return {};
     transfer_.nodes = clusters ? cluster_vertices(world_, mesh, transfer_.interpolation, *light_, wanted, task_) : Nodes(mesh);
     if (clusters) task_.count("clusters", transfer_.nodes.size());
+    settle_basis(transfer_.nodes, settings_);
     SurfaceGraph graph = graph_of(world_, mesh, transfer_.interpolation, transfer_.nodes, task_);
     if (settings_.nodes == NodeKind::clusters && occlusion_)
       join_pieces(world_, mesh, transfer_.nodes,
@@ -74,7 +79,7 @@ class MeshMaking {
   }
 
   const World& world_;
-  const Settings& settings_;
+  Settings& settings_;
   bool occlusion_;
   Transfer& transfer_;
   Task& task_;
@@ -120,14 +125,24 @@ void make_slots(const SurfaceGraph& graph, const Settings& settings, TransferMak
   task.progress("basis", 0.1);
 }
 
+/// Slots that stand among others are put in an order in which those of one block of the slices are neighbours.
 void find_glossy_slots(const std::vector<bool>& glossy_objects, Transfer& transfer, Task& task) {
-  transfer.glossy_row.assign(transfer.basis.slots(), Transfer::no_row);
+  const std::size_t slots = transfer.basis.slots();
+  transfer.glossy_row.assign(slots, Transfer::no_row);
   if (glossy_objects.empty()) return;
-  for (std::uint32_t slot = 0; slot < transfer.basis.slots(); ++slot) {
-    if (!glossy_objects[transfer.node_at(slot).object]) continue;
-    transfer.glossy_row[slot] = static_cast<std::uint32_t>(transfer.glossy_slots.size());
-    transfer.glossy_slots.push_back(slot);
+  for (std::uint32_t slot = 0; slot < slots; ++slot)
+    if (glossy_objects[transfer.node_at(slot).object]) transfer.glossy_row[slot] = 0;  // until it is known
+  std::vector<std::uint32_t> among_others;
+  for (std::uint32_t begin = 0; begin < slots; begin += block_rows) {
+    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(slots, begin + block_rows));
+    std::vector<std::uint32_t>& list =
+        is_whole_block_of_glossy(transfer.glossy_row, begin, end) ? transfer.glossy_slots : among_others;
+    for (std::uint32_t slot = begin; slot < end; ++slot)
+      if (transfer.glossy_row[slot] != Transfer::no_row) list.push_back(slot);
   }
+  put_neighbours_together(transfer.nodes, block_rows, transfer.node_of_slot, among_others);
+  transfer.glossy_slots.insert(transfer.glossy_slots.end(), among_others.begin(), among_others.end());
+  for (std::uint32_t row = 0; row < transfer.glossy_slots.size(); ++row) transfer.glossy_row[transfer.glossy_slots[row]] = row;
   task.count("glossy_vertices", transfer.glossy_slots.size());
 }
 
@@ -206,8 +221,9 @@ void make_matrices(const World& world, const Settings& settings, const TransferW
 
 }  // namespace
 
-TransferMaking make_transfer(const World& world, const Settings& settings, const TransferWish& wish, Task& task) {
+TransferMaking make_transfer(const World& world, const Settings& asked, const TransferWish& wish, Task& task) {
   TransferMaking making;
+  Settings settings = asked;
   const SurfaceGraph graph = MeshMaking(world, settings, wish.occlusion, making.transfer, task).make();
   if (!task.cancelled()) make_slots(graph, settings, making, task);
   if (!task.cancelled() && succeeded(making.termination)) make_matrices(world, settings, wish, making, task);

@@ -23,7 +23,8 @@ struct Truncation {
 
 /// Rows of (value, column) pairs, in blocks of up to eight rows that are alike and share their columns: a column number is held
 /// once for eight values, and a product is eight rows at a time. With a truncation values are 16-bit whole numbers (Wang et al.
-/// 2007, section 3.3), q · row scale / importance, the row's scale such that its largest is 32767.
+/// 2007, section 3.3), q · row scale / importance, the row's scale such that its largest is 32767; where there is a threshold,
+/// those of columns with no value above 63 thresholds are 8-bit numbers of half a threshold.
 class TransferMatrix {
  public:
   TransferMatrix() = default;
@@ -51,13 +52,17 @@ class TransferMatrix {
     friend class TransferMatrix;
     void keep_columns(std::span<const float> rows, std::size_t count);
     void keep_what_rounds_to_something(std::span<const float> rows);
-    void keep_answer_to_constant(std::span<const float> rows, std::size_t count, std::span<float> kept) const;
+    void keep_answer_to_constant(std::span<const float> rows, std::size_t count, std::size_t adjusted,
+                                 std::span<float> kept) const;
+    std::size_t part_wide_from_narrow(std::span<float> kept);
+    void quantise_narrow(std::size_t wide, std::span<float> kept);
     void quantise(std::span<const float> kept);
     std::span<const std::uint16_t> columns_of_block() const { return std::span(column_).subspan(block_begin_.back()); }
 
     const TransferMatrix* matrix_;
-    std::vector<std::uint32_t> first_row_{0}, block_begin_{0};
+    std::vector<std::uint32_t> first_row_{0}, block_begin_{0}, wide_begin_{0};
     std::vector<std::int16_t> quantised_;
+    std::vector<std::int8_t> narrow_;
     std::vector<float> exact_, row_scale_;
     std::vector<std::uint16_t> column_;
   };
@@ -71,16 +76,19 @@ class TransferMatrix {
 
  private:
   bool rounded() const { return !truncation_.importance.empty(); }
+  float narrow_step() const { return 0.5F * truncation_.threshold; }  ///< of 8-bit values times importance
 
   Truncation truncation_;
   std::vector<float> constant_;
   std::vector<std::uint32_t> first_row_{0};  ///< of every block, and one more
   std::vector<std::uint64_t> block_begin_{
-      0};  ///< of every block, and one more: into the columns, and times eight into the values
-  std::vector<std::uint16_t> column_;
-  std::vector<std::int16_t> quantised_;  ///< a column's eight rows next to one another
-  std::vector<float> exact_;             ///< the same, where nothing is rounded
-  std::vector<float> row_scale_;         ///< eight a block, where something is
+      0};                                     ///< of every block, and one more: into the columns, and times eight into the values
+  std::vector<std::uint64_t> wide_begin_{0};  ///< of every block, and one more: how many columns before it have 16 bits a value
+  std::vector<std::uint16_t> column_;         ///< in every block those of 16 bits first
+  std::vector<std::int16_t> quantised_;       ///< a column's eight rows next to one another
+  std::vector<std::int8_t> narrow_;           ///< the same of columns of 8 bits
+  std::vector<float> exact_;                  ///< the same of all, where nothing is rounded
+  std::vector<float> row_scale_;              ///< eight a block, where something is
   std::uint64_t coefficients_ = 0;
 };
 

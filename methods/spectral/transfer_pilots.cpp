@@ -1,6 +1,7 @@
 #include "methods/spectral/transfer_pilots.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "common/core/random.h"
 #include "methods/spectral/transfer_rows.h"
@@ -27,32 +28,11 @@ struct PilotRays {
   }
 };
 
-/// The slots of every block of the matrix that has glossy ones: those.
-std::vector<std::vector<std::uint32_t>> glossy_blocks(const Transfer& transfer) {
-  std::vector<std::vector<std::uint32_t>> blocks;
-  std::size_t last = transfer.basis.slots();  // no block's number
-  for (const std::uint32_t slot : transfer.glossy_slots) {
-    if (blocks.empty() || slot / block_rows != last) blocks.emplace_back();
-    last = slot / block_rows;
-    blocks.back().push_back(slot);
-  }
-  return blocks;
-}
-
-/// Each slice's rows of some vertices, one behind the other.
-void make_slices(const Transfer& transfer, const VertexRays& by, std::span<const std::uint32_t> slots, RayStream& stream,
-                 const std::function<std::vector<float>&(std::size_t slice)>& rows_of) {
-  const std::size_t columns = transfer.basis.columns();
-  TransferRows maker(transfer.basis, by);
-  std::vector<float> all(harmonic_count * columns);
-  for (const std::uint32_t slot : slots) {
-    maker.with_harmonics(transfer.node_of_slot[slot], stream, all);
-    for (std::size_t k = 1; k < harmonic_count; ++k) {
-      const std::span<const float> row = std::span(all).subspan(k * columns, columns);
-      std::vector<float>& rows = rows_of(k - 1);
-      rows.insert(rows.end(), row.begin(), row.end());
-    }
-  }
+/// The nodes of some glossy slots.
+std::vector<std::uint32_t> nodes_of(const Transfer& transfer, std::span<const std::uint32_t> slots) {
+  std::vector<std::uint32_t> nodes;
+  for (const std::uint32_t slot : slots) nodes.push_back(transfer.node_of_slot[slot]);
+  return nodes;
 }
 
 }  // namespace
@@ -83,19 +63,24 @@ std::vector<PilotBlock> glossy_pilot_rows(const World& world, const Transfer& tr
                                           Task& task) {
   constexpr std::size_t slices = harmonic_count - 1;
   const PilotRays sets(world, transfer, rays, ray_count, task);
-  const std::vector<std::vector<std::uint32_t>> blocks = glossy_blocks(transfer);
-  const std::vector<std::size_t> chosen = pilot_blocks(blocks.size(), most_glossy_pilots);
+  const std::size_t glossy = transfer.glossy_slots.size();
+  const std::vector<std::size_t> chosen = pilot_blocks(chunk_count(glossy, block_rows), most_glossy_pilots);
   std::vector<PilotBlock> pilots(chosen.size() * slices);
   task.parallel_chunks(chosen.size(), 1, [&](const ChunkRange& range) {
     RayStream stream = task.rays(world);
-    const std::vector<std::uint32_t>& slots = blocks[chosen[range.begin]];
+    const std::size_t begin = chosen[range.begin] * block_rows;
+    const std::span slots = std::span(transfer.glossy_slots).subspan(begin, std::min(block_rows, glossy - begin));
+    const std::vector<std::uint32_t> nodes = nodes_of(transfer, slots);
     PilotBlock* const made = &pilots[range.begin * slices];
     for (std::size_t k = 0; k < slices; ++k)
       for (const std::uint32_t slot : slots) made[k].areas.push_back(static_cast<double>(transfer.node_at(slot).area));
-    make_slices(transfer, sets.own, slots, stream, [&](std::size_t k) -> std::vector<float>& { return made[k].rows; });
+    const auto fill = [&](const VertexRays& by, const std::function<std::vector<float>&(PilotBlock&)>& rows_of) {
+      std::vector<std::vector<float>> rows = TransferRows(transfer.basis, by).with_harmonics(nodes, stream);
+      for (std::size_t k = 0; k < slices; ++k) rows_of(made[k]) = std::move(rows[1 + k]);
+    };
+    fill(sets.own, [](PilotBlock& pilot) -> std::vector<float>& { return pilot.rows; });
     for (std::size_t i = 0; i < 2; ++i)
-      make_slices(transfer, sets.others[i], slots, stream,
-                  [&](std::size_t k) -> std::vector<float>& { return made[k].others[i]; });
+      fill(sets.others[i], [i](PilotBlock& pilot) -> std::vector<float>& { return pilot.others[i]; });
   });
   return pilots;
 }

@@ -69,6 +69,20 @@ void TransferRows::with_harmonics(std::uint32_t node, RayStream& rays, std::span
   project(rows);
 }
 
+std::vector<std::vector<float>> TransferRows::with_harmonics(std::span<const std::uint32_t> nodes, RayStream& rays) {
+  const std::size_t columns = basis_.columns();
+  std::vector<std::vector<float>> rows(harmonic_count);
+  std::vector<float> all(harmonic_count * columns);
+  for (const std::uint32_t node : nodes) {
+    with_harmonics(node, rays, all);
+    for (std::size_t k = 0; k < harmonic_count; ++k) {
+      const std::span<const float> row = std::span(all).subspan(k * columns, columns);
+      rows[k].insert(rows[k].end(), row.begin(), row.end());
+    }
+  }
+  return rows;
+}
+
 /// Part by part in the order of slots, so that no sum depends on which ray came first. Leaves the slots untouched.
 void TransferRows::project(std::span<float> rows) {
   std::fill(rows.begin(), rows.end(), 0.0F);

@@ -26,6 +26,8 @@ class TransferRows {
   /// The same of one node and T_k^s(v, ℓ) for every harmonic k > 0, a row each behind the first; the slice of the constant
   /// harmonic is that number times the irradiance's.
   void with_harmonics(std::uint32_t node, RayStream& rays, std::span<float> rows);
+  /// The same of several nodes: the irradiance, then every harmonic, each with a row for every node.
+  std::vector<std::vector<float>> with_harmonics(std::span<const std::uint32_t> nodes, RayStream& rays);
 
   /// The weights at the slots, in place of their projection: nodal gathering through the same rays.
   void nodal(std::uint32_t node, RayStream& rays, std::span<float> at_slots);

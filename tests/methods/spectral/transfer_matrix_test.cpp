@@ -92,14 +92,14 @@ TEST(TransferMatrix, TruncatedProductIsThatOfTheRowsItHolds) {
   }
 }
 
-TEST(TransferMatrix, KeepsTheColumnsThatCountAndThoseTo16Bits) {
+TEST(TransferMatrix, KeepsTheColumnsThatCountAndThoseTo8Or16Bits) {
   constexpr std::size_t rows = 19, columns = 50;
   const DenseMatrix dense(rows, columns);
   std::vector<float> importance;
   for (std::size_t c = 0; c < columns; ++c) importance.push_back(0.1F * static_cast<float>(1 + c));
-  constexpr float threshold = 1.2F;
+  constexpr float threshold = 0.02F;
   const TransferMatrix matrix = made_of(dense, {importance, threshold, false}, std::vector<float>(columns, 0.0F));
-  std::uint64_t expected_coefficients = 0;
+  std::uint64_t expected_coefficients = 0, narrow_columns = 0, wide_columns = 0;
   for (std::size_t begin = 0; begin < rows; begin += block_rows) {
     const std::size_t size = std::min(block_rows, rows - begin);
     for (std::size_t c = 0; c < columns; ++c) {
@@ -107,11 +107,16 @@ TEST(TransferMatrix, KeepsTheColumnsThatCountAndThoseTo16Bits) {
       for (std::size_t r = begin; r < begin + size; ++r) squares += std::pow(static_cast<double>(dense.at(r, c)), 2.0);
       const bool kept = std::sqrt(squares / static_cast<double>(size)) * static_cast<double>(importance[c]) > threshold;
       expected_coefficients += kept ? size : 0;
+      float largest_of_column = 0.0F;
+      for (std::size_t r = begin; r < begin + size; ++r)
+        largest_of_column = std::max(largest_of_column, std::fabs(dense.at(r, c)) * importance[c]);
+      const bool narrow = largest_of_column <= 63.5F * threshold;
+      if (kept) ++(narrow ? narrow_columns : wide_columns);
       for (std::size_t r = begin; r < begin + size; ++r) {
         float largest = 0.0F;  // of the row's values in light, by which its step is set
         for (std::size_t other = 0; other < columns; ++other)
           largest = std::max(largest, std::fabs(dense.at(r, other)) * importance[other]);
-        const double half_a_step = 0.51 / 32767.0 * static_cast<double>(largest / importance[c]);
+        const double half_a_step = 0.51 * static_cast<double>((narrow ? threshold / 2.0F : largest / 32767.0F) / importance[c]);
         EXPECT_NEAR(row_of(matrix, r)[c], kept ? static_cast<double>(dense.at(r, c)) : 0.0, half_a_step);
       }
     }
@@ -119,6 +124,8 @@ TEST(TransferMatrix, KeepsTheColumnsThatCountAndThoseTo16Bits) {
   EXPECT_EQ(matrix.coefficients(), expected_coefficients);
   EXPECT_GT(matrix.coefficients(), 0U);
   EXPECT_LT(matrix.coefficients(), rows * columns);
+  EXPECT_GT(narrow_columns, 0U);
+  EXPECT_GT(wide_columns, 0U);
 }
 
 TEST(TransferMatrix, TruncationKeepsARowsAnswerToConstantLight) {

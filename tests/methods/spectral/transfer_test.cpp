@@ -321,6 +321,32 @@ TEST(SpectralTransfer, CompressionOfGlossySlicesIsJudgedByThemselves) {
   }
 }
 
+/// Loose quads, every other one of them glossy, so that hardly a block of the matrix is glossy throughout.
+TEST(SpectralTransfer, SlicesOfGlossyNodesAmongOthersFillTheirBlocks) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
+  builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+  TransferWish wish;
+  wish.glossy_objects = {false};
+  for (int i = 0; i < 64; ++i) {
+    const Vec3 at(0.1F + 0.1F * static_cast<float>(i % 8), 0.5F, 0.1F + 0.1F * static_cast<float>(i / 8));
+    builder.object("quad " + std::to_string(i), white,
+                   {at, at + Vec3(0, 0, 0.05F), at + Vec3(0.05F, 0, 0.05F), at + Vec3(0.05F, 0, 0)}, {{0, 1, 2, 3}});
+    wish.glossy_objects.push_back(i % 2 == 0);
+  }
+  SpectralRoom room(builder.build("quads"),
+                    {{"vertices", "400"}, {"basis_functions", "200"}, {"rays", "64"}, {"compression_error", "0"}}, wish);
+  const Transfer& transfer = room.transfer();
+  ASSERT_EQ(transfer.glossy_slots.size(), 32U * 4U);
+  for (std::uint32_t row = 0; row < transfer.glossy_slots.size(); ++row)
+    EXPECT_EQ(transfer.glossy_row[transfer.glossy_slots[row]], row);
+  for (const TransferMatrix& slice : transfer.harmonic_slices) {
+    ASSERT_EQ(slice.rows(), transfer.glossy_slots.size());
+    // Of 4 bytes each, an eighth of a column's two, and what the matrix holds for each of its columns; half empty ones took 8.
+    EXPECT_LT(slice.bytes(), slice.coefficients() * 5 + slice.columns() * 16);
+  }
+}
+
 /// Stopped at one sign of progress after the other, the making comes to an end by itself.
 TEST(SpectralTransfer, AStopAtAnySignOfProgressIsNoFailure) {
   const World world(closed_room(), 1);
