@@ -71,16 +71,27 @@ ComponentErrors errors_against(const Reference& reference, const Answers& surfac
   return errors;
 }
 
+namespace {
+
+MetricPairs terms_of_metrics(std::span<const std::vector<Rgb>> values, const Replicas& reference) {
+  MetricPairs terms;
+  for (const char* metric : paired_metrics)
+    if (auto found = pair_terms(metric, values, reference)) terms.emplace(metric, std::move(*found));
+  return terms;
+}
+
+}  // namespace
+
 PairRecord pairs_against(const Reference& reference, const RunOutcome& outcome) {
   const ReferenceFacts& facts = outcome.record.reference.value();
   PairRecord pairs{facts.key, facts.samples_per_replica, facts.replicas, {}};
   for (const Component component : all_components) {
     if (!outcome.surface.direct.empty())
-      pairs.errors[component][Domain::surface] =
-          pair_terms(surface_values(outcome.surface, outcome.other_seeds, component), component_of(reference.surface, component));
+      pairs.errors[component][Domain::surface] = terms_of_metrics(surface_values(outcome.surface, outcome.other_seeds, component),
+                                                                  component_of(reference.surface, component));
     if (outcome.image)
-      pairs.errors[component][Domain::image] =
-          pair_terms(image_values(*outcome.image, outcome.other_seeds, component), component_of(reference.image, component));
+      pairs.errors[component][Domain::image] = terms_of_metrics(image_values(*outcome.image, outcome.other_seeds, component),
+                                                                component_of(reference.image, component));
   }
   return pairs;
 }

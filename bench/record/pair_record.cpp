@@ -17,8 +17,9 @@ static_assert(std::endian::native == std::endian::little, "parts are stored as t
 Json terms_json(const PairTerms& terms) {
   Json::binary_t bytes(std::vector<std::uint8_t>(terms.parts.size() * sizeof(float)));
   if (!terms.parts.empty()) std::memcpy(bytes.data(), terms.parts.data(), bytes.size());
-  return {{"value", terms.value}, {"influences", terms.influences},   {"parts", Json::binary(std::move(bytes))},
-          {"seeds", terms.seeds}, {"point_noise", terms.point_noise}, {"mean", terms.mean}};
+  return {{"value", terms.value},           {"influences", terms.influences},   {"parts", Json::binary(std::move(bytes))},
+          {"seeds", terms.seeds},           {"point_noise", terms.point_noise}, {"mean", terms.mean},
+          {"correction", terms.correction}, {"least_share", terms.least_share}};
 }
 
 PairTerms terms_of(const Json& json) {
@@ -33,11 +34,13 @@ PairTerms terms_of(const Json& json) {
   terms.seeds = json.at("seeds").get<std::vector<double>>();
   terms.point_noise = json.at("point_noise").get<double>();
   terms.mean = json.at("mean").get<double>();
+  terms.correction = json.at("correction").get<double>();
+  terms.least_share = json.at("least_share").get<double>();
   return terms;
 }
 
 PairRecord pair_record_of(const Json& json) {
-  if (json.at("gibench_pairs").get<int>() != 1) throw InputError("gibench_pairs", "is not 1");
+  if (json.at("gibench_pairs").get<int>() != 2) throw InputError("gibench_pairs", "is not 2");
   PairRecord record;
   const Json& reference = json.at("reference");
   record.reference_key = reference.at("key").get<std::string>();
@@ -45,22 +48,26 @@ PairRecord pair_record_of(const Json& json) {
   record.replicas = reference.at("replicas").get<std::uint64_t>();
   if (record.replicas < 2) throw InputError("replicas", "are fewer than two");
   for (const auto& [component, domains] : json.at("errors").items())
-    for (const auto& [domain, terms] : domains.items()) {
-      PairTerms read = terms_of(terms);
-      if (read.influences.size() != record.replicas)
-        throw InputError("influences", "are not one for each replicate of the reference");
-      record.errors[known_name(all_components, component, "errors")][known_name(all_domains, domain, "errors")] = std::move(read);
+    for (const auto& [domain, metrics] : domains.items()) {
+      MetricPairs& of_domain =
+          record.errors[known_name(all_components, component, "errors")][known_name(all_domains, domain, "errors")];
+      for (const auto& [metric, terms] : metrics.items()) of_domain[metric] = terms_of(terms);
+      for (const auto& [metric, read] : of_domain)
+        if (read.influences.size() < 2 || read.influences.size() > record.replicas)
+          throw InputError("influences", "are not those of the replicates of the reference");
     }
   return record;
 }
 
 }  // namespace
 
-const PairTerms* PairRecord::terms(Component component, Domain domain) const {
+const PairTerms* PairRecord::terms(Component component, Domain domain, const std::string& metric) const {
   const auto of_component = errors.find(component);
   if (of_component == errors.end()) return nullptr;
-  const auto found = of_component->second.find(domain);
-  return found == of_component->second.end() ? nullptr : &found->second;
+  const auto of_domain = of_component->second.find(domain);
+  if (of_domain == of_component->second.end()) return nullptr;
+  const auto found = of_domain->second.find(metric);
+  return found == of_domain->second.end() ? nullptr : &found->second;
 }
 
 bool can_be_compared(const PairRecord& a, const PairRecord& b) {
@@ -68,12 +75,14 @@ bool can_be_compared(const PairRecord& a, const PairRecord& b) {
 }
 
 std::string to_cbor(const PairRecord& record) {
-  Json json{{"gibench_pairs", 1}};
+  Json json{{"gibench_pairs", 2}};
   json["reference"] = {
       {"key", record.reference_key}, {"samples_per_replica", record.samples_per_replica}, {"replicas", record.replicas}};
   json["errors"] = Json::object();
   for (const auto& [component, domains] : record.errors)
-    for (const auto& [domain, terms] : domains) json["errors"][to_string(component)][to_string(domain)] = terms_json(terms);
+    for (const auto& [domain, metrics] : domains)
+      for (const auto& [metric, terms] : metrics)
+        json["errors"][to_string(component)][to_string(domain)][metric] = terms_json(terms);
   std::string bytes;
   Json::to_cbor(json, bytes);
   return bytes;

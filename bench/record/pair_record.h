@@ -1,8 +1,8 @@
 /// The terms of a run's errors, pairs.cbor, by which it is compared with other runs against the same reference.
 ///
-/// CBOR (RFC 8949): {"gibench_pairs": 1, "reference": {"key", "samples_per_replica", "replicas"}, "errors": component → domain →
-/// {"value", "influences", "parts", "seeds", "point_noise", "mean"}}, `parts` as bytes of 32-bit floats, little-endian
-/// (common/metrics/pair_terms.h says what they are).
+/// CBOR (RFC 8949): {"gibench_pairs": 2, "reference": {"key", "samples_per_replica", "replicas"}, "errors": component → domain →
+/// metric → {"value", "influences", "parts", "seeds", "point_noise", "mean", "correction", "least_share"}}, `parts` as bytes of
+/// 32-bit floats, little-endian (common/metrics/pair_terms.h says what they are).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,9 @@ namespace gibench {
 
 inline constexpr const char* pair_file = "pairs.cbor";
 
-using ComponentPairs = std::map<Component, std::map<Domain, PairTerms>>;
+/// Of each of paired_metrics that is defined.
+using MetricPairs = std::map<std::string, PairTerms>;
+using ComponentPairs = std::map<Component, std::map<Domain, MetricPairs>>;
 
 /// The terms of one run, and what they were taken against.
 struct PairRecord {
@@ -27,7 +29,7 @@ struct PairRecord {
   ComponentPairs errors;
 
   /// Null where it was not measured.
-  const PairTerms* terms(Component component, Domain domain) const;
+  const PairTerms* terms(Component component, Domain domain, const std::string& metric) const;
 };
 
 /// Whether both were taken against the same paths at the same points.

@@ -44,4 +44,9 @@ std::size_t LightChoice::choose(std::uint32_t bits) const {
   return light;
 }
 
+double LightChoice::rest(std::size_t light, std::uint32_t bits) const {
+  const double begin = light == 0 ? 0.0 : up_to_[light - 1];
+  return std::clamp((static_cast<double>(bits) * 0x1p-32 - begin) / (up_to_[light] - begin), 0.0, 1.0);
+}
+
 }  // namespace gibench

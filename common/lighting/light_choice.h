@@ -17,6 +17,8 @@ class LightChoice {
   float probability(std::size_t light) const { return probability_[light]; }
   /// `bits`: a 32-bit fraction of one.
   std::size_t choose(std::uint32_t bits) const;
+  /// Where in the light's own share of [0, 1) the fraction lies, in [0, 1].
+  double rest(std::size_t light, std::uint32_t bits) const;
 
  private:
   std::vector<double> up_to_;  ///< cumulative; empty where there is no power at all

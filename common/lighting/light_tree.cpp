@@ -136,8 +136,8 @@ LightTree::Choice LightTree::choose(const Vec3& position, const Vec3& normal, do
     const auto weight = static_cast<double>(weights[slot]);
     probability *= weight / total;
     const std::uint32_t child = nodes_[node].child[slot];
-    if (nodes_[node].last) return {child, static_cast<float>(probability)};
     fraction = std::clamp(left / weight, 0.0, 0x1.fffffffffffffp-1);
+    if (nodes_[node].last) return {child, static_cast<float>(probability), fraction};
     node = child;
   }
 }

@@ -32,6 +32,7 @@ class LightTree {
   struct Choice {
     std::size_t light = 0;
     float probability = 0.0F;  ///< 0: the estimate leads to no light
+    double rest = 0.0;         ///< where in the light's own share the fraction lies, in [0, 1)
   };
   /// The light that `fraction`, in [0, 1), falls on at a surface point with this unit normal.
   Choice choose(const Vec3& position, const Vec3& normal, double fraction) const;

@@ -18,6 +18,9 @@ double irradiance_on(const Vec3& normal, const LightSample& light) {
   return std::max(0.0, static_cast<double>(glm::dot(normal, light.direction))) * mean;
 }
 
+/// In [0, 1), of a fraction that rounding may have made 1.
+float unit_float(double fraction) { return std::min(static_cast<float>(fraction), 0x1.fffffep-1F); }
+
 /// By power and evenly over the sources where there is something to choose.
 LightChoice choice_of(const std::vector<double>& power, const std::vector<std::uint32_t>& source) {
   return power.size() > 1 ? LightChoice(power, source) : LightChoice({}, {});
@@ -110,26 +113,51 @@ LightSample SceneLights::punctual(std::size_t light, const Vec3& position) const
 
 LightSample SceneLights::sample(LightGroup group, const Vec3& position, const Vec3& normal, std::uint32_t choice, Vec2 u) const {
   switch (group) {
-    case LightGroup::placed: return sample_placed(position, normal, choice, u);
+    case LightGroup::placed: return sample_placed(choose_placed(position, normal, choice), position, u);
     case LightGroup::directional: return sample_directional(position, normal, choice);
-    case LightGroup::environment: return sample_environment(normal, choice, u);
+    case LightGroup::environment:
+      return sample_environment(environment_by_power_.empty() ? 0 : environment_by_power_.choose(choice), normal, u);
   }
   return {};
 }
 
-LightSample SceneLights::sample_placed(const Vec3& position, const Vec3& normal, std::uint32_t choice, Vec2 u) const {
-  LightTree::Choice chosen{0, 1.0F};
-  if (!placed_by_power_.empty()) {
-    const std::uint32_t rest = choice << 1U;  // the first bit picks between the two ways to choose
-    if (choice == rest >> 1U) {
-      chosen.light = placed_by_power_.choose(rest);
-      chosen.probability = placed_by_estimate_.probability(chosen.light, position, normal);
-    } else {
-      chosen = placed_by_estimate_.choose(position, normal, static_cast<double>(rest) * 0x1p-32);
-      if (!(chosen.probability > 0.0F)) return {};
+LightSample SceneLights::sample(LightGroup group, const Vec3& position, const Vec3& normal, SobolPair pair) const {
+  const Vec2 u = pair.unit();
+  switch (group) {
+    case LightGroup::placed: {
+      if (placed_by_power_.empty()) return sample_placed({0, 1.0F}, position, u);
+      const LightTree::Choice chosen = choose_placed(position, normal, pair.x);
+      return sample_placed(chosen, position, {unit_float(chosen.rest), u.y});
     }
-    chosen.probability = 0.5F * (placed_by_power_.probability(chosen.light) + chosen.probability);
+    case LightGroup::directional: return sample_directional(position, normal, pair.x);
+    case LightGroup::environment: {
+      if (environment_by_power_.empty()) return sample_environment(0, normal, u);
+      const std::size_t chosen = environment_by_power_.choose(pair.x);
+      return sample_environment(chosen, normal, {unit_float(environment_by_power_.rest(chosen, pair.x)), u.y});
+    }
   }
+  return {};
+}
+
+/// Probability 0: no light.
+LightTree::Choice SceneLights::choose_placed(const Vec3& position, const Vec3& normal, std::uint32_t choice) const {
+  LightTree::Choice chosen{0, 1.0F};
+  if (placed_by_power_.empty()) return chosen;
+  const std::uint32_t rest = choice << 1U;  // the first bit picks between the two ways to choose
+  if (choice == rest >> 1U) {
+    chosen.light = placed_by_power_.choose(rest);
+    chosen.rest = placed_by_power_.rest(chosen.light, rest);
+    chosen.probability = placed_by_estimate_.probability(chosen.light, position, normal);
+  } else {
+    chosen = placed_by_estimate_.choose(position, normal, static_cast<double>(rest) * 0x1p-32);
+    if (!(chosen.probability > 0.0F)) return {};
+  }
+  chosen.probability = 0.5F * (placed_by_power_.probability(chosen.light) + chosen.probability);
+  return chosen;
+}
+
+LightSample SceneLights::sample_placed(const LightTree::Choice& chosen, const Vec3& position, Vec2 u) const {
+  if (!(chosen.probability > 0.0F)) return {};
   LightSample sample = chosen.light < emitters_.size() ? emitters_[chosen.light].sample(position, u)
                                                        : punctual(placed_punctual_[chosen.light - emitters_.size()], position);
   sample.pdf *= chosen.probability;
@@ -160,8 +188,7 @@ LightSample SceneLights::sample_directional(const Vec3& position, const Vec3& no
 }
 
 /// All environments lie in every direction: the radiance and the density are those of all of them.
-LightSample SceneLights::sample_environment(const Vec3& normal, std::uint32_t choice, Vec2 u) const {
-  const std::size_t chosen = environment_by_power_.empty() ? 0 : environment_by_power_.choose(choice);
+LightSample SceneLights::sample_environment(std::size_t chosen, const Vec3& normal, Vec2 u) const {
   LightSample sample;
   sample.at_infinity = true;
   sample.direction = environments_[chosen].sample(normal, u);

@@ -52,6 +52,9 @@ class SceneLights {
   /// A way from a surface point to one light of a group of groups(); `choice` is a 32-bit fraction of one that picks the
   /// light, `u` the place on it. No light (pdf 0) where the choice leads to none.
   LightSample sample(LightGroup group, const Vec3& position, const Vec3& normal, std::uint32_t choice, Vec2 u) const;
+  /// The same with both from one pair: the first number picks the light, and where in that light's share it lies goes to the
+  /// place, so that points which are even in the pair are even on every light.
+  LightSample sample(LightGroup group, const Vec3& position, const Vec3& normal, SobolPair pair) const;
   /// The density, 1/sr, with which sample() would have found what a ray from `position` met: the emitting side of
   /// `triangle` at `distance` metres under this absolute cosine.
   float pdf_of_triangle(const Vec3& position, const Vec3& normal, std::uint32_t triangle, float distance, float cosine) const;
@@ -76,9 +79,10 @@ class SceneLights {
   void add_punctual(const World& world, const std::vector<Light>& lights, PunctualLights punctual, Placed& placed);
   void add_environments(const std::vector<Light>& lights);
   void add_group(LightGroup group, std::size_t lights);
-  LightSample sample_placed(const Vec3& position, const Vec3& normal, std::uint32_t choice, Vec2 u) const;
+  LightTree::Choice choose_placed(const Vec3& position, const Vec3& normal, std::uint32_t choice) const;
+  LightSample sample_placed(const LightTree::Choice& chosen, const Vec3& position, Vec2 u) const;
   LightSample sample_directional(const Vec3& position, const Vec3& normal, std::uint32_t choice) const;
-  LightSample sample_environment(const Vec3& normal, std::uint32_t choice, Vec2 u) const;
+  LightSample sample_environment(std::size_t chosen, const Vec3& normal, Vec2 u) const;
 
   std::vector<LightGroup> groups_;
   std::array<bool, most_light_groups> has_choice_{};

@@ -17,20 +17,25 @@ namespace {
 
 /// A reference with what a metric gives for values whose only error is noise.
 struct NoisyReference : HalvedReference {
-  std::vector<Rgb> noisy, noisier;  ///< with the noise of the mean, and of two thirds, for their one error
+  std::vector<Rgb> noisy;  ///< with the noise of the mean for their one error
 
-  explicit NoisyReference(const Replicas& set)
-      : HalvedReference(set),
-        noisy(values_with_noise_only(means())),
-        noisier(values_with_noise_only(means(), noise_of_two_thirds)) {}
+  explicit NoisyReference(const Replicas& set) : HalvedReference(set), noisy(values_with_noise_only(means())) {}
 };
 
-/// Of the noise: at least its mean absolute value, by which |x−r| is too large at most. Where few values hold most of the noise,
-/// as with fireflies, the halves' difference shows the former far better than the latter.
-double root_mean_square(std::span<const double> parts) {
-  double squares = 0.0;
-  for (const double part : parts) squares += part * part;
-  return std::sqrt(squares / static_cast<double>(parts.size()));
+/// A metric of the values with each seed.
+struct Estimated {
+  SeededEstimate over;
+  std::optional<SeededEstimate> at_least;  ///< the smaller one of two
+};
+
+double between(double at_least, double at_most) { return std::sqrt(std::max(0.0, at_least) * std::max(0.0, at_most)); }
+
+/// What the reference and the points leave uncertain, with the noise of weights, and the seeds.
+Interval interval_of(const SeededEstimate& over, std::span<const double> influences) {
+  const MetricEstimate& estimate = over.mean;
+  Interval interval = interval_over_points(estimate.value, influences, estimate.parts, over.point_noise);
+  interval = widened(interval, estimate.value, seed_reach(over.values));
+  return with_weights(interval, estimate.correction, estimate.least_share);
 }
 
 /// Not negative, whatever the estimate is.
@@ -44,23 +49,22 @@ ErrorValue root(const ErrorValue& square) {
           square.resolved};
 }
 
-ErrorValue error_of(const ValueMetric& metric, const SeededEstimate& over, const NoisyReference& reference) {
-  const MetricEstimate& estimate = over.mean;
+ErrorValue error_of(const ValueMetric& metric, const Estimated& estimated, const NoisyReference& reference) {
+  const MetricEstimate& estimate = estimated.over.mean;
   const std::vector<double> influences = reference.influences(estimate);
-  Interval interval = interval_over_points(estimate.value, influences, estimate.parts, over.point_noise);
-  interval = widened(interval, estimate.value, seed_reach(over.values));
+  Interval interval = interval_of(estimated.over, influences);
   if (metric.taken == Taken::with_sign)
     return {estimate.value, interval.low, interval.high, standard_error(influences), interval.low > 0.0 || interval.high < 0.0};
   // What the metric gives for values whose only error is noise.
-  const bool of_two_thirds = metric.taken == Taken::against_two_thirds;
-  const auto noise = metric.estimate(of_two_thirds ? reference.noisier : reference.noisy, ReferenceMeans::exact(reference.mean));
-  const double floor = noise.value().value;
+  const double floor = metric.estimate(reference.noisy, ReferenceMeans::exact(reference.mean)).value().value;
   switch (metric.taken) {
     case Taken::as_square: return positive(estimate.value, interval, floor);
     case Taken::as_root_of_square: return root(positive(estimate.value, interval, floor));
-    case Taken::against_two_thirds:
-      interval.low -= root_mean_square(noise->parts);
-      return positive(estimate.value, interval, floor);
+    case Taken::between: {
+      const SeededEstimate& at_least = estimated.at_least.value();
+      interval.low = interval_of(at_least, reference.influences(at_least.mean)).low;
+      return positive(between(at_least.mean.value, estimate.value), interval, floor);
+    }
     case Taken::as_largest:
       // The maximum picks the value whose noise is largest: it may be too large by all of the largest noise.
       interval.low -= floor;
@@ -76,10 +80,24 @@ std::optional<double> deviation_of(std::vector<double> values) {
   return standard_error(values) * std::sqrt(static_cast<double>(values.size()));
 }
 
-std::optional<double> deviation_of(const ValueMetric& metric, std::vector<double> values) {
+std::optional<double> deviation_of(const ValueMetric& metric, const Estimated& estimated) {
+  std::vector<double> values = estimated.over.values;
   if (metric.taken == Taken::as_root_of_square)
     for (double& value : values) value = std::sqrt(std::max(0.0, value));
+  if (estimated.at_least)
+    for (std::size_t seed = 0; seed < values.size(); ++seed)
+      values[seed] = between(estimated.at_least->values[seed], values[seed]);
   return deviation_of(std::move(values));
+}
+
+/// With each seed; empty where the metric is not defined.
+std::optional<SeededEstimate> estimate_of(ValueMetric::Estimate estimate, std::span<const std::vector<Rgb>> values,
+                                          const ReferenceMeans& means) {
+  std::vector<MetricEstimate> estimates;
+  for (const std::vector<Rgb>& one : values)
+    if (auto of_one = estimate(one, means)) estimates.push_back(std::move(*of_one));
+  if (estimates.size() < values.size()) return std::nullopt;
+  return over_seeds(std::move(estimates));
 }
 
 /// Calls `use` with every metric of linear values that is defined here, and its estimates.
@@ -88,10 +106,11 @@ void for_each_estimate(std::span<const std::vector<Rgb>> values, const Reference
   for (const Metric& metric : all_metrics()) {
     const ValueMetric* const of_values = value_metric(metric);
     if (of_values == nullptr) continue;
-    std::vector<MetricEstimate> estimates;
-    for (const std::vector<Rgb>& one : values)
-      if (auto estimate = of_values->estimate(one, means)) estimates.push_back(std::move(*estimate));
-    if (estimates.size() == values.size()) use(metric.name, *of_values, over_seeds(std::move(estimates)));
+    auto over = estimate_of(of_values->estimate, values, means);
+    if (!over) continue;
+    Estimated estimated{std::move(*over), {}};
+    if (of_values->at_least) estimated.at_least = estimate_of(of_values->at_least, values, means);
+    use(metric.name, *of_values, estimated);
   }
 }
 
@@ -102,9 +121,9 @@ ErrorTable errors_of_values(std::span<const std::vector<Rgb>> values, const Nois
   }
   ErrorTable table;
   for_each_estimate(values, reference.means(),
-                    [&](const std::string& name, const ValueMetric& metric, const SeededEstimate& over) {
-                      ErrorValue& error = table[name] = error_of(metric, over, reference);
-                      error.seed_deviation = deviation_of(metric, over.values);
+                    [&](const std::string& name, const ValueMetric& metric, const Estimated& estimated) {
+                      ErrorValue& error = table[name] = error_of(metric, estimated, reference);
+                      error.seed_deviation = deviation_of(metric, estimated);
                     });
   return table;
 }
@@ -165,8 +184,9 @@ ErrorTable image_errors(int width, int height, std::span<const Rgb> pixels, cons
 std::map<std::string, double> exact_value_errors(std::span<const Rgb> values, std::span<const Rgb> reference) {
   std::map<std::string, double> table;
   for_each_estimate(of_one_seed(values), ReferenceMeans::exact(reference),
-                    [&](const std::string& name, const ValueMetric& metric, const SeededEstimate& over) {
-                      table[name] = metric.taken == Taken::as_root_of_square ? std::sqrt(over.mean.value) : over.mean.value;
+                    [&](const std::string& name, const ValueMetric& metric, const Estimated& estimated) {
+                      const double value = estimated.over.mean.value;
+                      table[name] = metric.taken == Taken::as_root_of_square ? std::sqrt(value) : value;
                     });
   return table;
 }

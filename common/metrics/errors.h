@@ -17,10 +17,10 @@ namespace gibench {
 
 /// The metrics of linear values (metric_table.h). Channels are averaged. InputError for fewer than two replicates or a value
 /// that is not finite. Squared errors are taken over independent parts of the reference and are unbiased, also where the error
-/// is smaller than the reference's noise (a negative estimate is given as 0); mape, smape and max contain that noise: the low end
-/// of their interval allows for it, and the first two, like rel_mse, need three replicates. Only rmse and max are there where the
-/// mean of r is not positive. Intervals cover the reference's noise and the choice of points; with it a method's own noise as
-/// far as that is independent between points.
+/// is smaller than the reference's noise (a negative estimate is given as 0); metrics with weights need three replicates, and
+/// what their noise leaves uncertain is in their intervals (weighted_metrics.h); max contains that noise, and the low end of its
+/// interval allows for it. Only rmse and max are there where the mean of r is not positive. Intervals cover the reference's noise
+/// and the choice of points; with it a method's own noise as far as that is independent between points.
 ErrorTable value_errors(std::span<const Rgb> values, const Replicas& reference);
 
 /// The same of a method that was run with several seeds, a vector of values each: the mean over them, squares before roots.

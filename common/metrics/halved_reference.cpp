@@ -2,6 +2,7 @@
 
 #include "common/core/error.h"
 #include "common/metrics/intervals.h"
+#include "common/metrics/metric_terms.h"
 
 namespace gibench {
 
@@ -18,10 +19,21 @@ HalvedReference::HalvedReference(const Replicas& set) : replicas(set) {
                      "make it with more replicates");
   mean = set.mean(), half_a = set.half(0), half_b = set.half(1);
   check_finite(mean, "reference");
-  if (set.count() > 2) thirds = {set.third(0), set.third(1), set.third(2)};
+  constexpr std::size_t groups = metric_terms::most_groups;
+  if (set.count() > groups)
+    for (std::size_t group = 0; group < groups; ++group) joined.push_back(set.every(groups, group));
+}
+
+ReferenceMeans HalvedReference::means() const {
+  ReferenceMeans means{mean, half_a, half_b, {}};
+  if (replicas.count() < 3) return means;
+  const auto& groups = joined.empty() ? replicas.replicas : joined;
+  means.groups.assign(groups.begin(), groups.end());
+  return means;
 }
 
 std::vector<double> HalvedReference::influences(const MetricEstimate& estimate) const {
+  if (!estimate.without_group.empty()) return delete_one_influences(estimate.without_group);
   return slope_influences(estimate.slope, replicas, mean);
 }
 

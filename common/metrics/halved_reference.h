@@ -1,7 +1,6 @@
 /// A reference in replicates with the means that errors are taken against.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,11 +14,14 @@ namespace gibench {
 struct HalvedReference {
   const Replicas& replicas;
   std::vector<Rgb> mean, half_a, half_b;
-  std::array<std::vector<Rgb>, 3> thirds;  ///< empty for two replicates: metrics with weights are not defined then
+  /// Means of the replicates g, g + 8, …, where there are more than eight.
+  std::vector<std::vector<Rgb>> joined;
 
   /// Throws InputError for fewer than two replicates or a mean that is not finite.
   explicit HalvedReference(const Replicas& set);
-  ReferenceMeans means() const { return {mean, half_a, half_b, {thirds[0], thirds[1], thirds[2]}}; }
+  /// With up to eight groups of replicates; none for two replicates, with which metrics with weights are not defined.
+  ReferenceMeans means() const;
+  /// Of the replicates, or of their groups.
   std::vector<double> influences(const MetricEstimate& estimate) const;
 };
 

@@ -47,6 +47,11 @@ Interval interval_over_points(double value, std::span<const double> influences, 
                                        : student_interval(value, over_replicates, influences.size());
 }
 
+Interval with_weights(const Interval& interval, double correction, double least_share) {
+  const double low = interval.low - std::abs(correction), high = interval.high + std::abs(correction);
+  return {std::min(low, least_share * low), std::max(high, least_share * high)};
+}
+
 std::vector<double> slope_influences(std::span<const Rgb> slope, const Replicas& reference, std::span<const Rgb> mean) {
   GIBENCH_CHECK(slope.size() == reference.size() && mean.size() == reference.size(), "one slope for each value");
   std::vector<double> influences(reference.count());

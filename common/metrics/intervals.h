@@ -37,6 +37,9 @@ Interval student_interval(double value, std::span<const double> influences);
 Interval interval_over_points(double value, std::span<const double> influences, std::span<const double> parts,
                               double seed_noise = 0.0);
 
+/// Where as much as `correction` may be wrong by either sign, and of the value no more than least_share may be left.
+Interval with_weights(const Interval& interval, double correction, double least_share);
+
 /// Standard error s of the same.
 double standard_error(std::span<const double> influences);
 

@@ -5,6 +5,7 @@
 #include "common/core/overloaded.h"
 #include "common/metrics/display_metrics.h"
 #include "common/metrics/picture_errors.h"
+#include "common/metrics/weighted_metrics.h"
 
 namespace gibench {
 
@@ -44,26 +45,26 @@ const std::vector<Metric>& all_metrics() {
        .function = ValueMetric{relative_bias, Taken::with_sign}},
       {.name = "rel_mse(0.01)",
        .title = "Relative MSE (0.01)",
-       .meaning = "mean (x − A)(x − B) / (r² + 0.01 M²), r of other replicates than A and B, M the mean of r",
+       .meaning = "mean (x − A)(x − B) / (r² + 0.01 M²) over pairs A, B of replicates, r of the others, M the mean of r",
        .monte_carlo_slope = -1.0,
        .function = ValueMetric{relative_squared_error, Taken::as_square}},
       {.name = "rel_mse_trim(0.1%)",
        .title = "Relative MSE, trimmed (0.1%)",
-       .meaning = "rel_mse(0.01) without the 0.1% of the values whose error is largest",
+       .meaning = "rel_mse(0.01) without the 0.1% of the values whose error is largest; between two bounds",
        .monte_carlo_slope = -1.0,
-       .function = ValueMetric{trimmed_relative_squared_error, Taken::as_square}},
+       .function = ValueMetric{trimmed_relative_squared_error_at_most, Taken::between, trimmed_relative_squared_error_at_least}},
       {.name = "mape(0.01)",
        .title = "MAPE (0.01)",
-       .meaning = "mean |x − r| / (|r| + 0.01 M), M the mean of r",
+       .meaning = "mean |x − r| / (|r| + 0.01 M), M the mean of r; between two bounds",
        .monte_carlo_slope = -0.5,
        .unit = MetricUnit::share,
-       .function = ValueMetric{mean_absolute_percentage_error, Taken::against_two_thirds}},
+       .function = ValueMetric{percentage_error_at_most, Taken::between, percentage_error_at_least}},
       {.name = "smape(0.02)",
        .title = "SMAPE (0.02)",
-       .meaning = "mean 2|x − r| / (|x| + |r| + 0.02 M), M the mean of r",
+       .meaning = "mean 2|x − r| / (|x| + |r| + 0.02 M), M the mean of r; between two bounds",
        .monte_carlo_slope = -0.5,
        .unit = MetricUnit::share,
-       .function = ValueMetric{symmetric_mean_absolute_percentage_error, Taken::against_two_thirds}},
+       .function = ValueMetric{symmetric_error_at_most, Taken::between, symmetric_error_at_least}},
       {.name = "max",
        .title = "Largest error",
        .meaning = "largest |x − r|, in the unit of the values",

@@ -30,19 +30,21 @@ enum class MetricUnit {
   of_values,  ///< W/m² at surface samples, W/(m² sr) in images
 };
 
-/// How value, noise floor and interval follow from an estimate over the two halves of a reference.
+/// How value, noise floor and interval follow from an estimate over parts of a reference.
 enum class Taken {
-  as_square,           ///< unbiased: an estimate below 0 is 0
-  as_root_of_square,   ///< the root of that
-  with_sign,           ///< may be negative; the floor is the standard error
-  against_two_thirds,  ///< not negative, and made larger by the noise of two thirds of the reference
-  as_largest,          ///< picks the value whose noise is largest
+  as_square,          ///< unbiased: an estimate below 0 is 0
+  as_root_of_square,  ///< the root of that
+  with_sign,          ///< may be negative; the floor is the standard error
+  between,            ///< the root of the product of two estimates, one too small on average and one too large
+  as_largest,         ///< picks the value whose noise is largest
 };
 
 /// A metric of linear values.
 struct ValueMetric {
-  std::optional<MetricEstimate> (*estimate)(std::span<const Rgb>, const ReferenceMeans&);  ///< empty: not defined
+  using Estimate = std::optional<MetricEstimate> (*)(std::span<const Rgb>, const ReferenceMeans&);  ///< empty: not defined
+  Estimate estimate;
   Taken taken = Taken::as_square;
+  Estimate at_least = nullptr;  ///< the smaller one of two; null where there is one
 };
 
 struct PictureComparison;  // of picture_errors.h

@@ -7,8 +7,8 @@
 #include "common/core/error.h"
 #include "common/core/random.h"
 #include "common/metrics/halved_reference.h"
+#include "common/metrics/metric_table.h"
 #include "common/metrics/seeded_estimate.h"
-#include "common/metrics/value_metrics.h"
 
 namespace gibench {
 
@@ -47,21 +47,31 @@ double root_of(double square) { return std::sqrt(std::max(0.0, square)); }
 
 }  // namespace
 
-bool can_be_paired(const std::string& metric) { return metric == "rmse" || metric == "relative_rmse"; }
+std::optional<std::string> paired_by(const std::string& metric) {
+  if (metric == "relative_rmse") return "rmse";
+  return std::ranges::find(paired_metrics, metric) == paired_metrics.end() ? std::nullopt : std::optional(metric);
+}
 
-PairTerms pair_terms(std::span<const std::vector<Rgb>> values, const Replicas& reference) {
+std::optional<PairTerms> pair_terms(const std::string& metric, std::span<const std::vector<Rgb>> values,
+                                    const Replicas& reference) {
+  GIBENCH_CHECK(paired_by(metric) == metric, "terms are kept of some metrics");
+  const ValueMetric& of_values = *value_metric(*find_metric(metric));
   const HalvedReference halves(reference);
   std::vector<MetricEstimate> estimates;
   for (const std::vector<Rgb>& one : values) {
     check_finite(one, "values");
-    estimates.push_back(mean_squared_error(one, halves.means()));
+    auto estimate = of_values.estimate(one, halves.means());
+    if (!estimate) return std::nullopt;
+    estimates.push_back(std::move(*estimate));
   }
   SeededEstimate over = over_seeds(std::move(estimates));
   RgbDouble sum;
   for (const Rgb& value : halves.mean) sum += RgbDouble(value);
-  return {over.mean.value,          halves.influences(over.mean),
-          grouped(over.mean.parts), std::move(over.values),
-          over.point_noise,         (sum.r + sum.g + sum.b) / (3.0 * static_cast<double>(halves.mean.size()))};
+  const double mean = (sum.r + sum.g + sum.b) / (3.0 * static_cast<double>(halves.mean.size()));
+  return PairTerms{over.mean.value,          halves.influences(over.mean),
+                   grouped(over.mean.parts), std::move(over.values),
+                   over.point_noise,         mean,
+                   over.mean.correction,     over.mean.least_share};
 }
 
 PairedDifference difference_of_squares(const PairTerms& a, const PairTerms& b) {
@@ -71,13 +81,16 @@ PairedDifference difference_of_squares(const PairTerms& a, const PairTerms& b) {
   apart.interval = interval_over_points(apart.value, differences(a.influences, b.influences), differences(a.parts, b.parts),
                                         a.point_noise + b.point_noise);
   for (const PairTerms* one : {&a, &b}) apart.interval = widened(apart.interval, apart.value, seed_reach(one->seeds));
+  apart.interval = with_weights(apart.interval, a.correction - b.correction, std::min(a.least_share, b.least_share));
   return apart;
 }
 
 std::optional<PairedDifference> difference_of(const std::string& metric, const PairTerms& a, const PairTerms& b) {
   const bool is_relative = metric == "relative_rmse";
-  if (!can_be_paired(metric) || (is_relative && !(a.mean > 0.0))) return std::nullopt;
+  const auto by = paired_by(metric);
+  if (!by || (is_relative && !(a.mean > 0.0))) return std::nullopt;
   const PairedDifference apart = difference_of_squares(a, b);
+  if (*by != "rmse") return apart;
   const double roots = root_of(a.value) + root_of(b.value);
   const double divisor = (roots > 0.0 ? roots : 1.0) * (is_relative ? a.mean : 1.0);
   return PairedDifference{apart.value / divisor, {apart.interval.low / divisor, apart.interval.high / divisor}};

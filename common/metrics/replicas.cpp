@@ -41,9 +41,9 @@ std::vector<Rgb> Replicas::half(int which) const {
   return mean_of(*this, static_cast<std::size_t>(which), 2);
 }
 
-std::vector<Rgb> Replicas::third(int which) const {
-  GIBENCH_CHECK(which >= 0 && which < 3, "there are three thirds");
-  return mean_of(*this, static_cast<std::size_t>(which), 3);
+std::vector<Rgb> Replicas::every(std::size_t step, std::size_t first) const {
+  GIBENCH_CHECK(step > 0, "a step goes on");
+  return mean_of(*this, first, step);
 }
 
 std::vector<Rgb> Replicas::mean_without(std::size_t left_out, std::size_t groups) const {

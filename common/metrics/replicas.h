@@ -19,8 +19,8 @@ struct Replicas {
   std::vector<Rgb> mean() const;
   /// Mean over the even (which = 0, half A) or odd (1, half B) replicates.
   std::vector<Rgb> half(int which) const;
-  /// Mean over the replicates which, which + 3, …; of three replicates at least.
-  std::vector<Rgb> third(int which) const;
+  /// Mean over the replicates first, first + step, …; of more than `first` replicates.
+  std::vector<Rgb> every(std::size_t step, std::size_t first) const;
   /// Mean without one of `groups` groups; replicate r is in group r mod groups. For the delete-one (groups = count())
   /// and delete-a-group jackknife.
   std::vector<Rgb> mean_without(std::size_t left_out, std::size_t groups) const;

@@ -9,16 +9,20 @@ namespace gibench {
 namespace {
 
 void add(MetricEstimate& sum, const MetricEstimate& other) {
-  GIBENCH_CHECK(sum.slope.size() == other.slope.size() && sum.parts.size() == other.parts.size(), "every seed answers alike");
-  sum.value += other.value;
+  GIBENCH_CHECK(sum.slope.size() == other.slope.size() && sum.parts.size() == other.parts.size() &&
+                    sum.without_group.size() == other.without_group.size(),
+                "every seed answers alike");
+  sum.value += other.value, sum.correction += other.correction;
   for (std::size_t i = 0; i < sum.slope.size(); ++i) sum.slope[i] += other.slope[i];
   for (std::size_t i = 0; i < sum.parts.size(); ++i) sum.parts[i] += other.parts[i];
+  for (std::size_t i = 0; i < sum.without_group.size(); ++i) sum.without_group[i] += other.without_group[i];
 }
 
 void scale(MetricEstimate& estimate, double factor) {
-  estimate.value *= factor;
+  estimate.value *= factor, estimate.correction *= factor;
   for (Rgb& slope : estimate.slope) slope *= static_cast<float>(factor);
   for (double& part : estimate.parts) part *= factor;
+  for (double& value : estimate.without_group) value *= factor;
 }
 
 /// V, from the sum of squares of the interaction.

@@ -19,7 +19,7 @@ namespace gibench {
 
 /// A metric's mean over seeds, and what says how it varies with them.
 struct SeededEstimate {
-  MetricEstimate mean;         ///< of value, slope and parts alike
+  MetricEstimate mean;         ///< of value, slope, parts and correction alike
   std::vector<double> values;  ///< one for each seed
   double point_noise = 0.0;    ///< V: of the variance over points, what the seeds make; 0 for one seed
 };

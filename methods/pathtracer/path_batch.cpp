@@ -33,7 +33,8 @@ PathBatch::PathBatch(const PathScene& scene, const SceneLights& lights, const Pa
   pending_number_.reserve(capacity);
   x_.resize(capacity);
   y_.resize(capacity);
-  choices_.resize(capacity);
+  x_bits_.resize(capacity);
+  y_bits_.resize(capacity);
   hit_.resize(capacity);
   occluded_.resize(capacity);
 }
@@ -107,13 +108,13 @@ void PathBatch::sample_lights(int reflection, LightGroup group, std::uint32_t li
   ray_.clear();
   pending_.clear();
   pending_number_.clear();
-  if (lights_.has_choice(group))
-    draw_fractions(keys_, indices_, {reflection, LightUse::choice, group, light_sample}, {choices_.data(), keys_.size()});
-  if (has_places(group)) draw({reflection, LightUse::place, group, light_sample});
+  if (lights_.has_choice(group) || has_places(group))
+    draw_pairs(keys_, indices_, {reflection, group, light_sample}, {x_bits_.data(), keys_.size()},
+               {y_bits_.data(), keys_.size()});
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     const Path& path = paths_[i];
     if (!path.bsdf->is_delta())
-      add_light_sample(path, lights_.sample(group, path.position, path.normal, choices_[i], {x_[i], y_[i]}));
+      add_light_sample(path, lights_.sample(group, path.position, path.normal, SobolPair{x_bits_[i], y_bits_[i]}));
   }
   if (rules_.tests_visibility()) rays_.occlusions(ray_, {occluded_.data(), ray_.size()});
   else std::fill_n(occluded_.begin(), ray_.size(), std::uint8_t{0});

@@ -91,8 +91,8 @@ class PathBatch {
   std::vector<Path> paths_;
   std::vector<std::uint64_t> keys_;
   std::vector<std::uint32_t> indices_;
-  std::vector<float> x_, y_;            ///< a pair of random numbers each
-  std::vector<std::uint32_t> choices_;  ///< a fraction each
+  std::vector<float> x_, y_;                    ///< a pair of random numbers each
+  std::vector<std::uint32_t> x_bits_, y_bits_;  ///< likewise, as fractions
   std::vector<Ray> ray_;
   std::vector<Hit> hit_;
   std::vector<std::uint8_t> occluded_;

@@ -9,18 +9,16 @@
 
 namespace gibench::pathtracer {
 
-/// What a pair of numbers is for; those for light samples follow, two for each group of lights and sample.
+/// What a pair of numbers is for; those for light samples follow, one for each group of lights and sample.
 enum class Use : std::uint32_t { direction, lobe_and_roulette, out, lobe_class, first_of_lights };
-enum class LightUse : std::uint32_t { place, choice };
 
 /// A pair of dimensions of the sequences.
 class Dimension {
  public:
   constexpr Dimension(int reflection, Use use) : Dimension(reflection, static_cast<std::uint32_t>(use)) {}
-  constexpr Dimension(int reflection, LightUse use, LightGroup group, std::uint32_t light_sample)
-      : Dimension(reflection, static_cast<std::uint32_t>(Use::first_of_lights) +
-                                  2U * (light_sample * most_light_groups + static_cast<std::uint32_t>(group)) +
-                                  static_cast<std::uint32_t>(use)) {}
+  constexpr Dimension(int reflection, LightGroup group, std::uint32_t light_sample)
+      : Dimension(reflection, static_cast<std::uint32_t>(Use::first_of_lights) + light_sample * most_light_groups +
+                                  static_cast<std::uint32_t>(group)) {}
 
   constexpr std::uint32_t number() const { return number_; }
   constexpr bool stratified() const { return stratified_; }
@@ -52,8 +50,8 @@ struct PathRandom {
 /// The pairs of many paths, column by column, which the compiler turns into vectors. All columns are of one length.
 void draw_pairs(std::span<const std::uint64_t> keys, std::span<const std::uint32_t> indices, Dimension dimension,
                 std::span<float> x, std::span<float> y);
-/// Only the first numbers of the pairs, as 32-bit fractions of one.
-void draw_fractions(std::span<const std::uint64_t> keys, std::span<const std::uint32_t> indices, Dimension dimension,
-                    std::span<std::uint32_t> x);
+/// The same as 32-bit fractions of one.
+void draw_pairs(std::span<const std::uint64_t> keys, std::span<const std::uint32_t> indices, Dimension dimension,
+                std::span<std::uint32_t> x, std::span<std::uint32_t> y);
 
 }  // namespace gibench::pathtracer

@@ -42,13 +42,15 @@ std::optional<PairRecord> terms_of(Study& study, const StudyRun& run) {
 /// Pair by pair, in the order of the runs given.
 std::vector<Comparison> compared(const RunPositions& runs, const std::map<std::size_t, PairRecord>& terms, const ErrorKey& key) {
   std::vector<Comparison> comparisons;
+  const std::string by = paired_by(key.metric).value();
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (std::size_t j = i + 1; j < runs.size(); ++j) {
       const auto a = terms.find(runs[i]), b = terms.find(runs[j]);
       if (a == terms.end() || b == terms.end() || !can_be_compared(a->second, b->second)) continue;
-      const PairTerms* const of_a = a->second.terms(key.component, key.domain);
-      const PairTerms* const of_b = b->second.terms(key.component, key.domain);
-      if (!of_a || !of_b || of_a->parts.size() != of_b->parts.size()) continue;
+      const PairTerms* const of_a = a->second.terms(key.component, key.domain, by);
+      const PairTerms* const of_b = b->second.terms(key.component, key.domain, by);
+      if (!of_a || !of_b || of_a->parts.size() != of_b->parts.size() || of_a->influences.size() != of_b->influences.size())
+        continue;
       if (const auto apart = difference_of(key.metric, *of_a, *of_b))
         comparisons.push_back({runs[i], runs[j], apart->value, apart->interval.low, apart->interval.high});
     }
@@ -63,7 +65,7 @@ void compare_runs(Study& study, const std::function<void()>& may_go_on) {
     std::set<ErrorKey> keys;
     for (const std::size_t run : runs)
       for (const auto& [key, error] : study.runs[run].errors)
-        if (!study.runs[run].pair_checksum.empty() && can_be_paired(key.metric)) keys.insert(key);
+        if (!study.runs[run].pair_checksum.empty() && paired_by(key.metric)) keys.insert(key);
     std::map<ErrorKey, RunPositions> accurate;
     std::map<std::size_t, PairRecord> terms;
     for (const ErrorKey& key : keys) accurate[key] = most_accurate(study, runs, key);

@@ -275,11 +275,15 @@ TEST(Run, WithErrorsLeavesWhatComparesThemWithOthers) {
   ASSERT_TRUE(can_be_compared(coarse, fine));
   for (const Component component : all_components)
     for (const Domain domain : all_domains) {
-      const PairTerms &a = *coarse.terms(component, domain), &b = *fine.terms(component, domain);
+      const PairTerms &a = *coarse.terms(component, domain, "rmse"), &b = *fine.terms(component, domain, "rmse");
       EXPECT_EQ(a.parts.size(), 64U) << "as many as points and pixels";
       const double error = result["errors"][to_string(component)][to_string(domain)]["rmse"]["value"].get<double>();
       EXPECT_NEAR(std::sqrt(std::max(0.0, a.value)), error, 1e-9);
       EXPECT_GT(difference_of("rmse", a, b)->value, 0.0) << "a quarter of the paths";
+      const PairTerms& relative = *fine.terms(component, domain, "rel_mse(0.01)");
+      const double square = result["errors"][to_string(component)][to_string(domain)]["rel_mse(0.01)"]["value"].get<double>();
+      EXPECT_NEAR(coarse.terms(component, domain, "rel_mse(0.01)")->value, square, 1e-9);
+      EXPECT_TRUE(difference_of("rel_mse(0.01)", *coarse.terms(component, domain, "rel_mse(0.01)"), relative));
     }
 }
 

@@ -70,7 +70,7 @@ struct Scores {
 /// w½ (F_A + F_B − R_A − R_B) shows what is only a little too bright everywhere. `shift` compares with the value so many places
 /// on: other light.
 Scores scores_of(const Replicas& stored, const Replicas& fresh, std::size_t shift) {
-  const Values ra = stored.half(0), rb = stored.half(1), fa = fresh.third(0), fb = fresh.third(1), fc = fresh.third(2);
+  const Values ra = stored.half(0), rb = stored.half(1), fa = fresh.every(3, 0), fb = fresh.every(3, 1), fc = fresh.every(3, 2);
   double mean = 0.0;
   for (const Rgb& value : fc) mean += (value.r + value.g + value.b) / (3.0 * static_cast<double>(fc.size()));
   Scores scores;

@@ -15,9 +15,11 @@ using testing::ThrowsMessage;
 
 PairRecord made_record() {
   PairRecord record{"0123", 64, 3, {}};
-  record.errors[Component::indirect][Domain::surface] = {0.25, {0.1, -0.2, 1.0 / 3.0}, {1.5F, 0.1F, -2.0F}, {0.2, 0.3}, 1e-9,
-                                                         0.5};
-  record.errors[Component::total][Domain::image] = {-1e-12, {0.0, 1e300, -1e-300}, {}, {-1e-12}, 0.0, 0.0};
+  record.errors[Component::indirect][Domain::surface]["rmse"] = {
+      0.25, {0.1, -0.2, 1.0 / 3.0}, {1.5F, 0.1F, -2.0F}, {0.2, 0.3}, 1e-9, 0.5, 0.0, 1.0};
+  record.errors[Component::indirect][Domain::surface]["rel_mse(0.01)"] = {1.25, {0.3, 0.2, 0.1}, {1.0F}, {0.7}, 0.0,
+                                                                          0.5,  -1e-3,           0.9};
+  record.errors[Component::total][Domain::image]["rmse"] = {-1e-12, {0.0, 1e300, -1e-300}, {}, {-1e-12}, 0.0, 0.0, 0.0, 1.0};
   return record;
 }
 
@@ -27,17 +29,21 @@ TEST(PairRecord, IsReadAsItWasWritten) {
   write_file_atomically(folder / pair_file, to_cbor(record));
   const PairRecord read = read_pair_record(folder / pair_file);
   EXPECT_TRUE(can_be_compared(record, read));
-  for (const auto& [component, domain] :
-       {std::pair(Component::indirect, Domain::surface), std::pair(Component::total, Domain::image)}) {
-    const PairTerms &written = *record.terms(component, domain), &found = *read.terms(component, domain);
+  for (const auto& [component, domain, metric] :
+       {std::tuple(Component::indirect, Domain::surface, "rmse"),
+        std::tuple(Component::indirect, Domain::surface, "rel_mse(0.01)"), std::tuple(Component::total, Domain::image, "rmse")}) {
+    const PairTerms &written = *record.terms(component, domain, metric), &found = *read.terms(component, domain, metric);
     EXPECT_EQ(found.value, written.value);
     EXPECT_EQ(found.influences, written.influences);
     EXPECT_EQ(found.parts, written.parts);
     EXPECT_EQ(found.seeds, written.seeds);
     EXPECT_EQ(found.point_noise, written.point_noise);
     EXPECT_EQ(found.mean, written.mean);
+    EXPECT_EQ(found.correction, written.correction);
+    EXPECT_EQ(found.least_share, written.least_share);
   }
-  EXPECT_EQ(read.terms(Component::direct, Domain::surface), nullptr);
+  EXPECT_EQ(read.terms(Component::direct, Domain::surface, "rmse"), nullptr);
+  EXPECT_EQ(read.terms(Component::total, Domain::image, "rel_mse(0.01)"), nullptr);
 }
 
 TEST(PairRecord, IsComparedWithThoseOfItsReferenceAlone) {

@@ -138,5 +138,37 @@ TEST(SceneLights, EachGroupHasASampleOfItsOwn) {
   }
 }
 
+/// Mean and variance of the irradiance under a lamp of two triangles, from 64 points of a sequence each.
+template <class SampleOf>
+std::pair<double, double> under_a_lamp(const SampleOf& sample_of) {
+  constexpr int estimates = 400;
+  double sum = 0.0, squares = 0.0;
+  for (std::uint64_t key = 0; key < estimates; ++key) {
+    double irradiance = 0.0;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      const LightSample light = sample_of(SobolSequence(mix_keys(31, key)), i);
+      if (light.pdf > 0.0F)
+        irradiance += static_cast<double>(light.radiance.g * std::fmax(0.0F, light.direction.y) / light.pdf) / 64.0;
+    }
+    sum += irradiance / estimates, squares += irradiance * irradiance / estimates;
+  }
+  return {sum, squares - sum * sum};
+}
+
+TEST(SceneLights, OnePairForLampAndPlaceIsEvenOnEveryLamp) {
+  const World world(made::box_scene(), 1);
+  const SceneLights lights(world, Lighting::of(world.scene()));
+  ASSERT_TRUE(lights.has_choice(LightGroup::placed));
+  const Vec3 position{0.3F, 0.0F, 0.6F}, normal{0.0F, 1.0F, 0.0F};
+  const auto [by_one, variance_by_one] = under_a_lamp([&](const SobolSequence& sequence, std::uint32_t i) {
+    return lights.sample(LightGroup::placed, position, normal, sequence.pair(i, 0));
+  });
+  const auto [by_two, variance_by_two] = under_a_lamp([&](const SobolSequence& sequence, std::uint32_t i) {
+    return lights.sample(LightGroup::placed, position, normal, sequence.pair(i, 1).x, sequence.pair(i, 0).unit());
+  });
+  EXPECT_NEAR(by_one, by_two, 4.0 * std::sqrt((variance_by_one + variance_by_two) / 400.0));
+  EXPECT_LT(variance_by_one, 0.5 * variance_by_two);
+}
+
 }  // namespace
 }  // namespace gibench

@@ -124,9 +124,10 @@ TEST_P(IntervalCoverage, IsNinetyFivePercent) {
   EXPECT_EQ(inside.size(), experiment.replicas < 3 ? 4U : 8U);
   for (const auto& [metric, share] : inside) {
     EXPECT_GE(share, least) << metric;
-    // What noise makes larger may be smaller by all of it: these intervals hold the truth more often.
-    const bool held_low = metric == "max" || metric.find("mape") != std::string::npos;
-    EXPECT_LE(share, held_low ? 1.0 : 0.998) << metric;
+    // Others reach from one bound to the other, or are widened by what weights may still be wrong by: they hold the truth more
+    // often.
+    const bool is_sharp = metric == "bias" || (metric.find("rmse") != std::string::npos && experiment.noise != Noise::fireflies);
+    EXPECT_LE(share, is_sharp ? 0.998 : 1.0) << metric;
   }
 }
 
@@ -140,9 +141,13 @@ INSTANTIATE_TEST_SUITE_P(
                     ExpectedCoverage{{{0.1F}, 100, 2, 0.05F}, 0.93}, ExpectedCoverage{{{0.1F}, 100, 3, 0.05F}, 0.93},
                     ExpectedCoverage{{{0.0F}, 100, 8, 0.1F}, 0.94}, ExpectedCoverage{{{0.1F}, 200, 8, 0.3F, Noise::skewed}, 0.91},
                     ExpectedCoverage{{{0.1F}, 400, 8, 0.2F, Noise::fireflies}, 0.91},
-                    // Six fireflies in all: how far the other points are too dark is not seen from so few, and mape of no error
-                    // at all is held in 73%; every other metric is in 94% at least.
-                    ExpectedCoverage{{{0.0F}, 400, 8, 0.2F, Noise::fireflies}, 0.70}));
+                    ExpectedCoverage{{{0.0F}, 400, 8, 0.2F, Noise::fireflies}, 0.91},
+                    // Noise as large as the values: weights of single replicates are off by their size.
+                    ExpectedCoverage{{{0.1F}, 400, 8, 0.8F}, 0.93}, ExpectedCoverage{{{0.0F}, 400, 8, 0.8F}, 0.94},
+                    ExpectedCoverage{{{0.2F}, 400, 8, 1.0F, Noise::skewed}, 0.91},
+                    // Enough points that the largest errors are left out.
+                    ExpectedCoverage{{{0.1F}, 1500, 8, 0.1F}, 0.94}, ExpectedCoverage{{{0.0F}, 1500, 8, 0.3F}, 0.94},
+                    ExpectedCoverage{{{0.1F}, 1500, 8, 0.2F, Noise::fireflies}, 0.91}));
 
 TEST(Intervals, TheReferencesNoiseDoesNotCountAgainstTheMethod) {
   const Field field{0.1F};
@@ -152,35 +157,11 @@ TEST(Intervals, TheReferencesNoiseDoesNotCountAgainstTheMethod) {
   for (int e = 0; e < experiments; ++e) {
     const Replicas reference = test::noisy_replicas(truth, 8, 0.2F, static_cast<std::uint64_t>(e) + 1);
     const Values r = reference.mean(), a = reference.half(0), b = reference.half(1);
-    mean += mean_squared_error(values, {r, a, b, {r, r, r}}).value / experiments;
+    mean += mean_squared_error(values, {r, a, b, {}}).value / experiments;
     against_mean += mean_squared_error(values, ReferenceMeans::exact(r)).value / experiments;
   }
   EXPECT_NEAR(mean, exact, 0.01 * exact);
   EXPECT_NEAR(against_mean, exact + 0.2 * 0.2 / 8.0, 0.02 * exact) << "the plain square has the noise in it";
-}
-
-/// Where a weight held the noise of the error, values whose noise is downwards would count more: with errors of nothing but
-/// noise, x = μ, the estimate would not have the mean 0.
-TEST(Intervals, WeightsDoNotShareTheNoiseOfTheError) {
-  const Field field{0.0F};
-  const auto [truth, values] = Compared(field, 60, [](std::size_t i) { return static_cast<float>(i) / 60.0F; });
-  double sum = 0.0, squares = 0.0, shared = 0.0;
-  for (int e = 0; e < experiments; ++e) {
-    const Replicas reference = test::noisy_replicas(truth, 9, 0.6F, static_cast<std::uint64_t>(e) + 1);
-    const Values mean = reference.mean(), a = reference.half(0), b = reference.half(1);
-    const Values thirds[3] = {reference.third(0), reference.third(1), reference.third(2)};
-    const double estimate = relative_squared_error(values, {mean, a, b, {thirds[0], thirds[1], thirds[2]}})->value;
-    sum += estimate, squares += estimate * estimate;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      for (int c = 0; c < 3; ++c) {
-        const double x = values[i][c], r = mean[i][c];
-        shared += (x - a[i][c]) * (x - b[i][c]) / (r * r + 0.01) / (3.0 * static_cast<double>(truth.size()));
-      }
-  }
-  const double mean = sum / experiments;
-  const double error = std::sqrt((squares / experiments - mean * mean) / experiments);
-  EXPECT_NEAR(mean, 0.0, 4.0 * error);
-  EXPECT_GT(std::abs(shared / experiments), 4.0 * error) << "the plain weights are seen to be biased by as much noise";
 }
 
 TEST(Intervals, AnErrorFarBelowTheFloorIsResolvedWhereTheIntervalLeavesOutZero) {

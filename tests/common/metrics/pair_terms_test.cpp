@@ -44,12 +44,17 @@ struct Compared {
   }
 };
 
-/// Mean squared error of a minus that of b at so many places that their choice does not matter; a's own noise adds its variance.
-double exact_difference(const Methods& methods) {
+/// Square of a minus that of b at so many places that their choice does not matter; a's own noise adds its variance, weighed.
+double exact_difference(const Methods& methods, const std::string& metric) {
   constexpr std::size_t many = 100'000;
   const Compared all(methods, many, [](std::size_t i) { return (static_cast<float>(i) + 0.5F) / static_cast<float>(many); });
-  const double a = exact_value_errors(all.a, all.truth).at("rmse"), b = exact_value_errors(all.b, all.truth).at("rmse");
-  return a * a - b * b + double{methods.noise_a} * double{methods.noise_a};
+  Values noisy = all.truth;
+  for (std::size_t i = 0; i < many; ++i) noisy[i] += Rgb(methods.noise_a);
+  const auto square = [&](const Values& values) {
+    const double error = exact_value_errors(values, all.truth).at(metric);
+    return metric == "rmse" ? error * error : error;
+  };
+  return square(all.a) - square(all.b) + square(noisy);
 }
 
 enum class Noise { normal, skewed, fireflies };
@@ -73,7 +78,7 @@ Replicas reference_of(const Experiment& experiment, const Values& truth, std::ui
 
 /// Calls use(terms of a, terms of b) for each experiment: points, reference and a's noise are drawn anew each time.
 using Use = std::function<void(const PairTerms&, const PairTerms&)>;
-void repeat(const Experiment& experiment, const Use& use) {
+void repeat(const Experiment& experiment, const std::string& metric, const Use& use) {
   for (int e = 0; e < experiments; ++e) {
     const auto seed = static_cast<std::uint64_t>(e) + 1;
     Compared drawn(experiment.methods, experiment.points, [&](std::size_t i) { return RandomStream(seed, 77, i).next_float(); });
@@ -81,7 +86,8 @@ void repeat(const Experiment& experiment, const Use& use) {
     for (Rgb& value : drawn.a)
       for (int c = 0; c < 3; ++c) value[c] += experiment.methods.noise_a * test::normal_number(random);
     const Replicas reference = reference_of(experiment, drawn.truth, seed);
-    use(pair_terms(std::vector<Values>{drawn.a}, reference), pair_terms(std::vector<Values>{drawn.b}, reference));
+    use(pair_terms(metric, std::vector<Values>{drawn.a}, reference).value(),
+        pair_terms(metric, std::vector<Values>{drawn.b}, reference).value());
   }
 }
 
@@ -101,15 +107,19 @@ constexpr double at_most = 0.97;
 class PairedCoverage : public testing::TestWithParam<Experiment> {};
 
 TEST_P(PairedCoverage, IsNinetyFivePercent) {
-  const double exact = exact_difference(GetParam().methods);
-  int inside = 0;
-  repeat(GetParam(), [&](const PairTerms& a, const PairTerms& b) {
-    const Interval interval = difference_of_squares(a, b).interval;
-    inside += interval.low <= exact && exact <= interval.high ? 1 : 0;
-  });
-  const double share = static_cast<double>(inside) / experiments;
-  EXPECT_GE(share, least_share(0.95));
-  EXPECT_LE(share, largest_share(at_most));
+  for (const char* metric : paired_metrics) {
+    const double exact = exact_difference(GetParam().methods, metric);
+    int inside = 0;
+    repeat(GetParam(), metric, [&](const PairTerms& a, const PairTerms& b) {
+      const Interval interval = difference_of_squares(a, b).interval;
+      inside += interval.low <= exact && exact <= interval.high ? 1 : 0;
+    });
+    const double share = static_cast<double>(inside) / experiments;
+    EXPECT_GE(share, least_share(0.95)) << metric;
+    if (metric == std::string("rmse")) {
+      EXPECT_LE(share, largest_share(at_most));
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, PairedCoverage,
@@ -128,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, PairedCoverage,
 /// What both errors share hides the difference: the intervals of the errors overlap nearly always.
 TEST(PairTerms, TellApartWhatTheIntervalsOfErrorsDoNot) {
   int told_apart = 0, by_own_intervals = 0;
-  repeat({"", {0.2F, 0.19F, 0.0F, 0.0F}, 400, 8, 0.05F}, [&](const PairTerms& a, const PairTerms& b) {
+  repeat({"", {0.2F, 0.19F, 0.0F, 0.0F}, 400, 8, 0.05F}, "rmse", [&](const PairTerms& a, const PairTerms& b) {
     told_apart += difference_of_squares(a, b).told_apart() ? 1 : 0;
     const auto interval = [](const PairTerms& terms) {
       const std::vector<double> parts(terms.parts.begin(), terms.parts.end());
@@ -146,7 +156,7 @@ TEST(PairTerms, KeepTheMeanAndTheSpreadOfManyPoints) {
   RandomStream random(3, 1, 0);
   for (Rgb& value : values) value += Rgb(0.1F * test::normal_number(random));
   const Replicas reference = test::noisy_replicas(truth, 8, 0.01F, 1);
-  const PairTerms terms = pair_terms(std::vector<Values>{values}, reference);
+  const PairTerms terms = pair_terms("rmse", std::vector<Values>{values}, reference).value();
   ASSERT_EQ(terms.parts.size(), most_pair_parts);
   const std::vector<double> parts(terms.parts.begin(), terms.parts.end());
   double mean = 0.0;
@@ -158,9 +168,9 @@ TEST(PairTerms, KeepTheMeanAndTheSpreadOfManyPoints) {
 }
 
 TEST(PairTerms, OfRootsHaveTheSignOfTheSquares) {
-  const PairTerms large{0.09, {0.001, -0.001, 0.0}, {0.08F, 0.10F, 0.09F}, {0.09}, 0.0, 2.0};
-  const PairTerms small{0.01, {0.001, -0.001, 0.0}, {0.009F, 0.011F, 0.01F}, {0.01}, 0.0, 2.0};
-  const PairTerms none{-0.001, {0.0, 0.0, 0.0}, {-0.001F, -0.001F, -0.001F}, {-0.001}, 0.0, 2.0};
+  const PairTerms large{0.09, {0.001, -0.001, 0.0}, {0.08F, 0.10F, 0.09F}, {0.09}, 0.0, 2.0, 0.0, 1.0};
+  const PairTerms small{0.01, {0.001, -0.001, 0.0}, {0.009F, 0.011F, 0.01F}, {0.01}, 0.0, 2.0, 0.0, 1.0};
+  const PairTerms none{-0.001, {0.0, 0.0, 0.0}, {-0.001F, -0.001F, -0.001F}, {-0.001}, 0.0, 2.0, 0.0, 1.0};
   const PairedDifference squares = difference_of_squares(large, small), roots = difference_of("rmse", large, small).value();
   EXPECT_NEAR(squares.value, 0.08, 1e-12);
   EXPECT_NEAR(roots.value, 0.3 - 0.1, 1e-12);
@@ -173,16 +183,30 @@ TEST(PairTerms, OfRootsHaveTheSignOfTheSquares) {
 }
 
 TEST(PairTerms, RefuseWhatCannotBePaired) {
-  PairTerms terms{0.1, {0.0, 0.0}, {0.1F, 0.1F}, {0.1}, 0.0, 1.0};
-  const PairTerms fewer{0.1, {0.0, 0.0}, {0.1F}, {0.1}, 0.0, 1.0};
-  for (const char* metric : {"mape(0.01)", "rel_mse(0.01)", "bias", "flip", "unknown"}) {
-    EXPECT_FALSE(can_be_paired(metric)) << metric;
+  PairTerms terms{0.1, {0.0, 0.0}, {0.1F, 0.1F}, {0.1}, 0.0, 1.0, 0.0, 1.0};
+  const PairTerms fewer{0.1, {0.0, 0.0}, {0.1F}, {0.1}, 0.0, 1.0, 0.0, 1.0};
+  for (const char* metric : {"mape(0.01)", "rel_mse_trim(0.1%)", "bias", "flip", "unknown"}) {
+    EXPECT_FALSE(paired_by(metric)) << metric;
     EXPECT_FALSE(difference_of(metric, terms, terms)) << metric;
   }
   EXPECT_THAT([&] { difference_of("rmse", terms, fewer); }, test::fails_check("same points"));
   terms.mean = 0.0;
   EXPECT_TRUE(difference_of("rmse", terms, terms));
   EXPECT_FALSE(difference_of("relative_rmse", terms, terms)) << "of a black reference";
+  const Values black{Rgb(0.0F)};
+  Replicas reference;
+  reference.replicas.assign(8, black);
+  EXPECT_FALSE(pair_terms("rel_mse(0.01)", std::vector<Values>{black}, reference));
+}
+
+/// A difference of relative squares is that of the terms, and what the weights' noise may still make of it widens the interval.
+TEST(PairTerms, OfRelativeSquaresAreAsFarApartAsTheyAre) {
+  const PairTerms a{0.3, {0.01, -0.01, 0.0}, {0.3F, 0.3F, 0.3F}, {0.3}, 0.0, 2.0, 0.02, 1.0};
+  const PairTerms b{0.2, {0.01, -0.01, 0.0}, {0.2F, 0.2F, 0.2F}, {0.2}, 0.0, 2.0, 0.005, 0.9};
+  const PairedDifference apart = difference_of("rel_mse(0.01)", a, b).value();
+  EXPECT_NEAR(apart.value, 0.1, 1e-12);
+  EXPECT_NEAR(apart.interval.low, 0.9 * (0.1 - 0.015), 1e-6);
+  EXPECT_NEAR(apart.interval.high, 0.1 + 0.015, 1e-6);
 }
 
 }  // namespace

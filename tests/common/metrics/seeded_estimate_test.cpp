@@ -114,7 +114,7 @@ TEST(SeedCoverage, OfDifferencesIsNinetyFivePercent) {
         of_b[k][i] += Rgb(size * shape_at(RandomStream(experiment, 77, i).next_float()));
     }
     const Replicas reference = test::noisy_replicas(of_a.truth, 8, 0.05F, experiment);
-    PairTerms first = pair_terms(of_a.answers, reference), second = pair_terms(of_b, reference);
+    PairTerms first = pair_terms("rmse", of_a.answers, reference).value(), second = pair_terms("rmse", of_b, reference).value();
     const auto holds = [&] {
       const Interval interval = difference_of_squares(first, second).interval;
       return interval.low <= exact && exact <= interval.high ? 1 : 0;

@@ -48,7 +48,7 @@ class Pairs : public testing::Test {
     run.seconds[Stage::shade_surface] = 1.0;
     run.errors[key] = {.value = error, .low = 0.5 * error, .high = 1.5 * error, .noise_floor = {}};
     PairRecord record{reference, 64, 8, {}};
-    record.errors[key.component][key.domain] = terms_of(error * error, own_spread, study_.runs.size());
+    record.errors[key.component][key.domain]["rmse"] = terms_of(error * error, own_spread, study_.runs.size());
     const std::string bytes = to_cbor(record);
     std::filesystem::create_directories(run.folder);
     write_file_atomically(run.folder / pair_file, bytes);
