@@ -157,6 +157,13 @@ std::optional<Reference> make_shard(const ReferenceOptions& options, const Loade
   return merge_if_complete(options, scene.scene(), question, samples, shard.of);
 }
 
+/// Of surface samples and pixels apart where these have paths of their own number.
+std::string error_text(const ReferenceFacts& facts) {
+  if (!facts.image_samples_per_replica) return fmt::format("{:.4f}", facts.relative_standard_error());
+  return fmt::format("{:.4f} at the surface samples, {:.4f} of the pixels with {} paths", facts.surface_error.value_or(0.0),
+                     facts.image_error.value_or(0.0), *facts.image_samples_per_replica);
+}
+
 void tell(const ReferenceOptions& options, const LoadedScene& scene, const Reference& reference, const std::string& damage,
           const CommonOptions& common) {
   const ReferenceFacts facts = facts_of(scene.scene(), reference);
@@ -168,10 +175,10 @@ void tell(const ReferenceOptions& options, const LoadedScene& scene, const Refer
     return;
   }
   if (!common.quiet)
-    fmt::print("reference of {}: {} paths per value in each of {} replicates; relative standard error {:.4f}; {}\n",
-               scene.scene().name, facts.samples_per_replica, facts.replicas, facts.relative_standard_error(),
+    fmt::print("reference of {}: {} paths per value in each of {} replicates; relative standard error {}; {}\n",
+               scene.scene().name, facts.samples_per_replica, facts.replicas, error_text(facts),
                ReferenceStore(options.store).folder_of(scene.scene(), reference.question).string());
-  if (options.target_error && facts.relative_standard_error() > *options.target_error && !common.quiet)
+  if (options.target_error && aimed_error(goal_of(options), facts) > *options.target_error && !common.quiet)
     fmt::print(stderr, "gibench: warning: the target error {} was not reached within {} paths per replicate\n",
                *options.target_error, facts.samples_per_replica);
 }

@@ -70,8 +70,10 @@ MeasuringPoints measuring_points(const World& world, const ReferenceQuestion& qu
   const SurfaceDomain domain = surface_domain_of(question.surface_domain, world.scene(), "--surface-domain");
   points.surface = domain_samples(world, domain, question.surface_samples, question.seed, threads, &points.domain);
   if (points.surface.empty() && world.total_area() > 0.0)
-    throw InputError("--surface-domain", "no camera sees a surface that light can leave",
-                     "turn a camera to the scene, or give all or names of objects");
+    throw InputError(
+        "--surface-domain", "no camera sees a surface that light can leave",
+        "turn a camera to the scene, or give all or names of objects; where a model is inside out, the camera sees black "
+        "backs (gibench check tells)");
   if (question.camera) {
     const DirectLight light(world, Lighting::of(world.scene()));
     points.camera = camera_points(world, light, *question.camera, question.pixel_samples, question.seed, threads);

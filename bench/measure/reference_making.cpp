@@ -88,10 +88,8 @@ std::uint64_t image_samples(const ReferenceGoal& goal, const ReferenceQuestion& 
   return question.camera ? whole_samples(std::min(samples, goal.image_samples_per_replica.value_or(samples)), question) : 0;
 }
 
-/// Of which error a target is: pixels with a number of paths of their own are not its matter.
 double error_of(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
-  const ReferenceFacts facts = facts_of(scene, reference);
-  return goal.image_samples_per_replica ? facts.surface_error.value_or(0.0) : facts.relative_standard_error();
+  return aimed_error(goal, facts_of(scene, reference));
 }
 
 bool reached(const ReferenceGoal& goal, const Scene& scene, const Reference& reference) {
@@ -144,6 +142,10 @@ Replicas interleave(const std::vector<const Replicas*>& shards) {
 }
 
 }  // namespace
+
+double aimed_error(const ReferenceGoal& goal, const ReferenceFacts& facts) {
+  return goal.image_samples_per_replica ? facts.surface_error.value_or(0.0) : facts.relative_standard_error();
+}
 
 std::uint64_t whole_samples(std::uint64_t samples_per_replica, const ReferenceQuestion& question) {
   const auto unit = static_cast<std::uint64_t>(question.camera ? question.pixel_samples : 1);

@@ -8,6 +8,7 @@
 #include "bench/measure/loaded_scene.h"
 #include "bench/measure/measuring.h"
 #include "bench/measure/work_options.h"
+#include "bench/record/reference_facts.h"
 #include "common/reference/reference_store.h"
 
 namespace gibench {
@@ -36,6 +37,9 @@ struct ReferenceGoal {
   std::optional<std::uint64_t> image_samples_per_replica;  ///< at most so many of them for each pixel; empty: as many
   std::optional<double> target_error;                      ///< relative standard error of the indirect light at which to stop
 };
+
+/// The error that a target is one of: pixels with a number of paths of their own are not its matter.
+double aimed_error(const ReferenceGoal& goal, const ReferenceFacts& facts);
 
 /// Continues `reference` (empty replicas: begins it) with rounds that at most double its samples until the goal is met.
 /// `measuring` holds the bound and the light paths that its path class stands for.

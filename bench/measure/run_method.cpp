@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "bench/measure/black_backs.h"
 #include "bench/measure/cancellation.h"
 #include "common/core/error.h"
 #include "common/light_paths/automaton.h"
@@ -145,10 +146,11 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   log.info(fmt::format("scene '{}': {} triangles, read in {:.4f} s; {}, seed {}, {} threads", scene.scene().name,
                        scene.scene().triangles.size(), scene.seconds, name, common.seed, threads));
   Task task = make_task(common, fmt::format("{}, {}", scene.scene().name, name));
-  LitMethod lit = prepare_and_light(world, choice, options, measuring.bounces, task, log);
+  // Before the method's work: where there is nothing to ask about, that is said at once.
   const MeasuringPoints points = measuring_points(world, question, common.threads);
   const std::string note = points.domain.note();
   if (!note.empty()) log.info("surface samples: " + note);
+  LitMethod lit = prepare_and_light(world, choice, options, measuring.bounces, task, log);
   RunOutcome outcome{{}, shade_surface(*lit.method, points, task), std::nullopt};
   const auto keep = [&](Stage stage, const StageReport& report) {
     lit.stages.push_back({stage, report});
@@ -174,6 +176,8 @@ RunOutcome run_method(const LoadedScene& scene, const MethodChoice& choice, cons
   record.method_bytes = lit.method->bytes();
   record.counters = task.counters();
   record.warnings = warnings_of(scene.scene(), lit.plan, name);
+  if (points.camera)
+    if (const std::string backs = warning_of_black_backs(world, *points.camera); !backs.empty()) record.warnings.push_back(backs);
   if (points.domain.nothing_reached) record.warnings.push_back("surface samples: " + note);
   return outcome;
 }

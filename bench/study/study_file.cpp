@@ -190,6 +190,7 @@ void read_relights(const json& list, const JsonPlace& place, const fs::path& fol
 void read_reference(const json& entry, Study& study) {
   StudyReference reference;
   if (entry.contains("samples")) reference.samples_per_replica = entry["samples"].get<std::uint64_t>();
+  if (entry.contains("picture_samples")) reference.picture_samples = entry["picture_samples"].get<std::uint64_t>();
   if (entry.contains("target_error")) reference.target_error = entry["target_error"].get<double>();
   if (entry.contains("time_limit_seconds")) reference.time_limit_seconds = entry["time_limit_seconds"].get<double>();
   reference.replicas = entry.value("replicas", reference.replicas);

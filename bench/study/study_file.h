@@ -47,7 +47,7 @@ struct StudyRelight {
 };
 
 struct StudyReference {
-  std::optional<std::uint64_t> samples_per_replica;
+  std::optional<std::uint64_t> samples_per_replica, picture_samples;  ///< paths for each value; at most so many for each pixel
   std::optional<double> target_error;
   int replicas = 8;
   std::optional<double> time_limit_seconds;

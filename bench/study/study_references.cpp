@@ -26,6 +26,7 @@ std::vector<std::string> StudyRunner::reference_arguments(std::size_t scene, con
   const std::vector<std::string> where = arguments_of(measuring);
   arguments.insert(arguments.end(), where.begin(), where.end());
   if (goal.samples_per_replica) arguments.insert(arguments.end(), {"--samples", std::to_string(*goal.samples_per_replica)});
+  if (goal.picture_samples) arguments.insert(arguments.end(), {"--picture-samples", std::to_string(*goal.picture_samples)});
   if (goal.target_error) arguments.insert(arguments.end(), {"--target-error", fmt::format("{}", *goal.target_error)});
   return arguments;
 }

@@ -12,7 +12,7 @@ struct Place {
   Vec3 position;
   Vec3 normal;              ///< unit
   float area = 0.0F;        ///< m²
-  std::uint32_t label = 0;  ///< places of different labels never come together: side_labels.h makes some
+  std::uint32_t label = 0;  ///< places of different labels never come together
 };
 
 }  // namespace gibench

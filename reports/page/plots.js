@@ -42,9 +42,9 @@
     return [low - margin, high + margin];
   }
 
-  // Ticks at 1, 2 and 5 of every decade, or at the decades alone where those are many.
+  // Ticks at 1, 2 and 5 of every decade, at 1 and 3, or at the decades alone: the fewer, the more of them there are.
   function logTicks([low, high]) {
-    const decades = Math.log10(high / low), digits = decades <= 2.6 ? [1, 2, 5] : [1], ticks = [];
+    const decades = Math.log10(high / low), digits = decades <= 2.6 ? [1, 2, 5] : decades <= 4.2 ? [1, 3] : [1], ticks = [];
     const every = Math.max(1, Math.ceil(decades / 8));
     for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power += 1)
       for (const digit of digits) {
@@ -70,8 +70,30 @@
     return value < 1 ? `${+(value * 1e3).toPrecision(3)} ms` : `${+value.toPrecision(3)} s`;
   }
 
-  // Runs that a line joins: those of one sweep, whose labels end in its values; without such an ending those of a method.
-  const seriesOf = (run) => (/ [^ =]+=[^ ]*$/.test(run.label) ? `${run.method} ${run.label.replace(/=[^ ]*$/, "")}` : run.method);
+  // Runs that a line joins: those of one sweep, whose labels end in its values; without such an ending those of a method whose
+  // labels are one up to a comma ("meshless" and "meshless, coarse").
+  const seriesOf = (run) => `${run.method} ${/ [^ =]+=[^ ]*$/.test(run.label) ? run.label.replace(/=[^ ]*$/, "") : run.label.split(",")[0]}`;
+
+  // Where the name of each point stands: right of its mark, left, above or below, the first place that keeps clear of the marks
+  // and of the names before it; none where all are taken. `xOf` and `yOf` give pixels.
+  function placeNames(points, xOf, yOf, width, height) {
+    const taken = points.map((p) => ({ left: xOf(p) - 6, right: xOf(p) + 6, top: yOf(p) - 6, bottom: yOf(p) + 6 }));
+    const isFree = (box) => box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height
+      && taken.every((other) => box.right < other.left || box.left > other.right || box.bottom < other.top || box.top > other.bottom);
+    return points.filter((p) => p.name).flatMap((p) => {
+      const wide = 6 * p.name.length, half = 6.5;
+      const places = [{ align: "left", dx: 9, dy: 0, left: 9 }, { align: "right", dx: -9, dy: 0, left: -9 - wide },
+        { align: "center", dx: 0, dy: -15, left: -wide / 2 }, { align: "center", dx: 0, dy: 15, left: -wide / 2 },
+        { align: "right", dx: 6, dy: -15, left: 6 - wide }, { align: "right", dx: 6, dy: 15, left: 6 - wide }];
+      for (const { align, dx, dy, left } of places) {
+        const box = { left: xOf(p) + left, right: xOf(p) + left + wide, top: yOf(p) + dy - half, bottom: yOf(p) + dy + half };
+        if (!isFree(box)) continue;
+        taken.push(box);
+        return [{ x: p.x, error: p.error, name: p.name, align, dx, dy }];
+      }
+      return [];
+    });
+  }
 
   // The points of one scene for one error; `left_out` counts runs that a log axis cannot show.
   function errorPoints(study, scene, key) {
@@ -84,7 +106,7 @@
       if (time <= 0 || (metric.logarithmic && error.y <= 0)) { leftOut += 1; continue; }
       const smallest = metric.logarithmic ? error.y / 50 : -Infinity;
       points.push({
-        index, run: run.label, method: run.method, series: seriesOf(run), x: time, time: seconds(time), error: error.y, text: error.text, unresolved: error.unresolved,
+        index, run: run.label, method: run.method, name: run.method === study.methods[0]?.name ? null : run.label, series: seriesOf(run), x: time, time: seconds(time), error: error.y, text: error.text, unresolved: error.unresolved,
         floor: error.floor ?? null,
         low: error.low === undefined ? null : Math.max(error.low, smallest), high: error.high ?? null,
       });
@@ -100,8 +122,12 @@
     const floor = floors.length ? Math.max(...floors) : null;
     const xDomain = logDomain(points.map((p) => p.x), x.margin);
     const domain = metric.logarithmic ? logDomain(values, 1.35) : linearDomain(values);
+    const height = 320, along = ([low, high], value) => Math.log(value / low) / Math.log(high / low);
+    const across = metric.logarithmic ? along : ([low, high], value) => (value - low) / (high - low);
+    // The axis and its title take about sixty pixels of the width.
+    const drawn = width - 70, named = x.names ? placeNames(points, (p) => drawn * along(xDomain, p.x), (p) => height * (1 - across(domain, p.error)), drawn, height) : [];
     return fill(templates["error-curve"], {
-      width, config: config(width), runs: points, ...(x.styles ?? styles(study, new Set(points.map((p) => p.method)))), legend: x.legend ?? "Method",
+      width, height, config: config(width), runs: points, names: named, ...(x.styles ?? styles(study, new Set(points.map((p) => p.method)))), legend: x.legend ?? "Method",
       floor: floor !== null && floor > domain[0] ? [{ floor: Math.min(floor, domain[1]), bottom: domain[0], label: "the reference's noise floor" }] : [],
       xTitle: x.title, xDomain, xTicks: x.ticks ?? logTicks(xDomain), xFormat: x.format, errorTicks: metric.logarithmic ? logTicks(domain) : null,
       errorTitle: entry.axis, errorScale: metric.logarithmic ? "log" : "linear", errorDomain: domain,
@@ -112,7 +138,7 @@
 
   function errorPlot(study, templates, scene, key, width) {
     const title = `Time (s): prepare + light + shade${study.keys[key].domain === "image" ? " the image" : " the samples"}`;
-    return curves(study, templates, key, width, errorPoints(study, scene, key).points, { title, margin: 1.6, format: "~g" });
+    return curves(study, templates, key, width, errorPoints(study, scene, key).points, { title, margin: 1.6, format: "~g", names: true });
   }
 
   // The parameters that a study sweeps on a scene: [{ name, points }]. A series is what differs in that parameter alone and

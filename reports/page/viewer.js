@@ -32,10 +32,15 @@
       colour.drawPicture(canvas, width, height, values, state.stops);
       return null;
     }
-    const reference = referenceOf(scene);
+    return drawError(canvas, scene, picture, state, values, (truth) => topOf(state, truth));
+  }
+
+  // The map of errors, from 0 to topOf(the reference's values).
+  async function drawError(canvas, scene, picture, state, values, topOf) {
+    const { width, height } = picture, reference = referenceOf(scene);
     const truth = reference && (await pixels.values(reference, state.layer));
     if (!truth || truth.length !== values.length) return "has no reference to differ from";
-    const relative = state.kind === "relative", top = topOf(state, truth);
+    const relative = state.kind === "relative", top = topOf(truth);
     if (picture !== reference) {
       const map = pixels.errorMap(values, truth, relative);
       colour.drawMap(canvas, width, height, map, top);
@@ -45,6 +50,12 @@
     const map = noise ? pixels.noiseMap(noise, truth, relative) : new Float32Array(width * height);
     colour.drawMap(canvas, width, height, map, top);
     return noise ? `own noise ½|A − B|, mean ${show(pixels.mean(map), relative)}` : "no halves kept of this layer: own noise unknown";
+  }
+
+  // The relative error of the layer that the state shows, from 0 to `top`. Resolves to a note.
+  async function drawRelative(canvas, scene, picture, { layer }, top) {
+    const values = await pixels.values(picture, layer);
+    return values ? drawError(canvas, scene, picture, { layer, kind: "relative" }, values, () => top) : `has no ${layer} layer`;
   }
 
   const show = (value, percent) => (percent ? `${+(value * 100).toPrecision(3)} %` : `${+value.toPrecision(3)}`);
@@ -145,5 +156,5 @@
       : "|x − r| in W/(m² sr), channels averaged. The reference shows its own noise.";
   }
 
-  gibench.viewer = { make: makeViewer, draw, nameOf };
+  gibench.viewer = { make: makeViewer, draw, drawRelative, nameOf };
 })();

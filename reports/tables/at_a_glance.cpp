@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "reports/tables/format.h"
@@ -25,15 +26,22 @@ std::string speed_text(const SpeedUp& speed) {
   return text;
 }
 
+/// "92.3 k", "never".
 std::string count_text(double number) {
+  if (std::isinf(number)) return "never";
   const double whole = std::max(1.0, std::ceil(number));
   return whole < 1e15 ? large_count(static_cast<std::uint64_t>(whole)) : significant(whole);
 }
 
+/// "92.3 k [61.0 k, never]", "≤ 8 *", "never"; nothing is known of an error that is not resolved and does not pay at its far end.
 Cell even_cell(const std::optional<BreakEven>& even) {
   if (!even) return text_cell("");
-  if (!even->number) return {"never", "inf"};
-  return {(even->at_most ? "≤ " : "") + count_text(*even->number) + (even->extrapolated ? " *" : ""), exact(*even->number)};
+  if (even->at_most && std::isinf(even->number)) return {"undecided", ""};
+  std::string text = (even->at_most ? "≤ " : "") + count_text(even->number);
+  if (even->extrapolated && std::isfinite(even->number)) text += " *";
+  if (!even->at_most && even->low && even->high && std::isfinite(*even->low))
+    text += fmt::format(" [{}, {}]", count_text(*even->low), count_text(*even->high));
+  return {text, exact(even->number)};
 }
 
 std::string missing_text(const StudyRun& run) {
@@ -101,9 +109,14 @@ Verdict verdict_of(const SpeedUp& speed) {
 std::optional<BreakEven> break_even(const StudyRun& run, const std::optional<SpeedUp>& speed, Domain domain, double asked) {
   const auto all = run.transport_seconds(domain), shading = run.shade_seconds(domain);
   if (!speed || !all || !shading || !(asked > 0.0)) return std::nullopt;
-  const double once = *all - *shading, each = *shading / asked, path_tracing_each = speed->factor * *all / asked;
-  BreakEven even{{}, speed->at_least, speed->extrapolated};
-  if (path_tracing_each > each) even.number = once / (path_tracing_each - each);
+  const double once = *all - *shading, each = *shading / asked;
+  const auto number_at = [&](double factor) {
+    const double path_tracing_each = factor * *all / asked;
+    return path_tracing_each > each ? once / (path_tracing_each - each) : std::numeric_limits<double>::infinity();
+  };
+  BreakEven even{.number = number_at(speed->factor), .at_most = speed->at_least, .extrapolated = speed->extrapolated};
+  if (speed->high) even.low = number_at(*speed->high);
+  if (speed->low) even.high = number_at(*speed->low);
   return even;
 }
 
@@ -135,24 +148,31 @@ Table glance_table(const Study& study, const ErrorKey& key, const std::vector<Gl
   const auto speed_cell = [](const GlanceRow& row) {
     return row.speed_up ? Cell{speed_text(*row.speed_up), exact(row.speed_up->factor)} : text_cell("");
   };
+  const auto end_of = [](std::optional<BreakEven> GlanceRow::*asked, std::optional<double> BreakEven::*end) {
+    return [asked, end](const GlanceRow& row) { return row.*asked ? (*(row.*asked)).*end : std::nullopt; };
+  };
   Columns<GlanceRow> columns;
-  columns.text("scene", "scene", [&study](const GlanceRow& row) { return study.scenes[row.scene].name; })
-      .text("method", "method", [run_of](const GlanceRow& row) { return run_of(row).method; })
-      .text("run", "run", [run_of](const GlanceRow& row) { return run_of(row).label; })
+  columns.text("Scene", "scene", [&study](const GlanceRow& row) { return study.scenes[row.scene].name; })
+      .text("Method", "method", [run_of](const GlanceRow& row) { return run_of(row).method; })
+      .text("Run", "run", [run_of](const GlanceRow& row) { return run_of(row).label; })
       .error(metric.title, metric.name, metric, [run_of, key](const GlanceRow& row) { return run_of(row).error(key); })
-      .seconds("time", "seconds", [run_of, key](const GlanceRow& row) { return run_of(row).transport_seconds(key.domain); })
-      .bytes("memory", "method_bytes", [run_of](const GlanceRow& row) { return run_of(row).method_bytes; })
-      .cells({"over path tracing", "speed_up"}, speed_cell)
-      .text("", "verdict", verdict_text)
-      .cells({"pays from points", "pays_from_points"}, [](const GlanceRow& row) { return even_cell(row.points); })
-      .cells({"pays from pictures", "pays_from_pictures"}, [](const GlanceRow& row) { return even_cell(row.pictures); })
-      .text("light paths", "lacks", [run_of](const GlanceRow& row) { return missing_text(run_of(row)); });
+      .seconds("Time", "seconds", [run_of, key](const GlanceRow& row) { return run_of(row).transport_seconds(key.domain); })
+      .bytes("Method memory", "method_bytes", [run_of](const GlanceRow& row) { return run_of(row).method_bytes; })
+      .cells({"Speed-up", "speed_up"}, speed_cell)
+      .text("Verdict", "verdict", verdict_text)
+      .cells({"Pays from points", "pays_from_points"}, [](const GlanceRow& row) { return even_cell(row.points); })
+      .in_csv("pays_from_points_ci95_low", end_of(&GlanceRow::points, &BreakEven::low), number_cell)
+      .in_csv("pays_from_points_ci95_high", end_of(&GlanceRow::points, &BreakEven::high), number_cell)
+      .cells({"Pays from pictures", "pays_from_pictures"}, [](const GlanceRow& row) { return even_cell(row.pictures); })
+      .in_csv("pays_from_pictures_ci95_low", end_of(&GlanceRow::pictures, &BreakEven::low), number_cell)
+      .in_csv("pays_from_pictures_ci95_high", end_of(&GlanceRow::pictures, &BreakEven::high), number_cell)
+      .text("Light paths", "lacks", [run_of](const GlanceRow& row) { return missing_text(run_of(row)); });
   return columns.table(
       "at-a-glance",
-      fmt::format(
-          "What each configuration costs and gets right: {} of {}, its time, how many times the path tracer's time for the "
-          "same error that is, and from how many points or pictures under the same lights it is cheaper.",
-          metric.title, describe(key)),
+      fmt::format("What each configuration costs and gets right: {} of {}, its time and memory, the path tracer's time for the "
+                  "same error "
+                  "over its own, and from how many points or pictures under the same lights it is the cheaper one.",
+                  metric.title, describe(key)),
       rows);
 }
 

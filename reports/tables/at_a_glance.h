@@ -17,9 +17,11 @@ Verdict verdict_of(const SpeedUp& speed);
 /// From how many on, of points or of pictures, a run is cheaper than path tracing to the same error: preparing and lighting are
 /// paid once, shading each time.
 struct BreakEven {
-  std::optional<double> number;  ///< empty: never, path tracing is cheaper each time
-  bool at_most = false;          ///< the run's error is not resolved: it may pay earlier
-  bool extrapolated = false;     ///< the path tracer was not run at that error
+  double number = 0.0;  ///< infinite: never, path tracing is cheaper each time
+  /// What the interval of the speed-up leaves room for, infinite for never; empty where it does not say.
+  std::optional<double> low = {}, high = {};
+  bool at_most = false;       ///< the run's error is not resolved: it may pay earlier
+  bool extrapolated = false;  ///< the path tracer was not run at that error
 };
 /// `asked` is how many were asked in the run: points, or one picture. Empty where the run or the path tracer does not say.
 std::optional<BreakEven> break_even(const StudyRun& run, const std::optional<SpeedUp>& speed, Domain domain, double asked);

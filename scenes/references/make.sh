@@ -16,7 +16,7 @@ question=(--surface-samples 2048 --pixel-samples 4 --width 256 --picture-samples
 
 # Light paths of methods that do not simulate all of them: what their model error is split off with, to 1%.
 paths_of() {
-  "$gibench" check "$1" --method "$2" | sed -n 's/^ *light paths \([^ ,]*\)$/\1/p'
+  "$gibench" check "$1" --method "$2" | sed -n 's/^ *light paths \([^ ]*\)$/\1/p'
 }
 
 made() {
@@ -24,8 +24,8 @@ made() {
 }
 
 for scene in "${scenes[@]}"; do
-  # An older one of another key would lie there unused.
-  grep -l "\"scene\": \"$scene\"" "$here"/*/meta.json 2>/dev/null | while read -r old; do rm -r "$(dirname "$old")"; done
+  # An older one of another key would lie there unused. (grep fails where there is none.)
+  { grep -l "\"scene\": \"$scene\"" "$here"/*/meta.json 2>/dev/null || true; } | while read -r old; do rm -r "$(dirname "$old")"; done
   made "$scene" --target-error 0.0045  # packing adds a tenth to it
   for paths in $(for method in meshless spectral antiradiance; do paths_of "$scene" "$method"; done | sort -u); do
     made "$scene" --target-error 0.009 --light-paths "$paths"

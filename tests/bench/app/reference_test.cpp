@@ -46,6 +46,16 @@ TEST(Reference, StopsAtTheTargetError) {
   EXPECT_EQ(short_of.json()["samples_per_replica"], 128);
 }
 
+/// The target is then one of the surface samples, and that of the pixels is no reason to warn.
+TEST(Reference, PixelsOfFewerPathsAreToldApart) {
+  const Workshop shop;
+  const Outcome made = shop.gibench({"reference", "room.scene.json", "--surface-samples", "64", "--pixel-samples", "1",
+                                     "--picture-samples", "4", "--target-error", "0.05"});
+  ASSERT_EQ(made.status, 0) << made.error;
+  EXPECT_THAT(made.out, testing::ContainsRegex("error 0\\.0[0-9]+ at the surface samples, [0-9.]+ of the pixels with 4 paths"));
+  EXPECT_EQ(made.error, "");
+}
+
 TEST(Reference, ShardsMergeToTheSameReplicates) {
   const Workshop shop;
   const auto whole = shop.gibench(reference_of("room.scene.json", {"--samples", "32", "--references", "whole"})).json();

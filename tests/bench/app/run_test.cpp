@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/record/checksums.h"
@@ -11,6 +12,7 @@ namespace gibench::test {
 namespace {
 
 using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> small{"--surface-samples", "64", "--pixel-samples", "1"};
 
@@ -307,6 +309,40 @@ TEST(Run, WithoutLightThereIsNothingToSimulateAndThePictureIsBlack) {
   EXPECT_EQ(result["effects"]["skipped"].size(), 8U);
   EXPECT_EQ(result["counters"]["occlusion_rays"], 0) << "none is measured too";
   EXPECT_EQ(result["counters"]["closest_hit_rays"], 0);
+}
+
+/// The faces of an object the other way round.
+void turn_round(Json& object) {
+  for (Json& face : object["faces"]) std::reverse(face.begin(), face.end());
+}
+
+/// A plate on its floor alone has a front that the camera sees.
+TEST(Run, ARoomThatIsInsideOutIsWarnedOf) {
+  const Workshop shop;
+  Json scene = room_scene();
+  turn_round(scene["objects"][0]);
+  scene["objects"].push_back({{"name", "plate"},
+                              {"material", "wall"},
+                              {"vertices", {{0.3, 0.01, 0.2}, {0.3, 0.01, 0.6}, {0.7, 0.01, 0.6}, {0.7, 0.01, 0.2}}},
+                              {"faces", {{0, 1, 2, 3}}}});
+  shop.write("turned.scene.json", scene);
+  const auto run = [&shop](const std::string& name) {
+    return shop.gibench({"run", name, "--method", "pathtracer", "--surface-samples", "64", "--pixel-samples", "1"});
+  };
+  const Outcome turned = run("turned.scene.json"), sound = run("room.scene.json");
+  ASSERT_EQ(turned.status, 0) << turned.error;
+  EXPECT_THAT(turned.error, HasSubstr("the camera sees mostly black backs of one-sided objects"));
+  EXPECT_THAT(turned.error, HasSubstr("most of them of \"room\"): is the model inside out?"));
+  EXPECT_THAT(sound.error, testing::Not(HasSubstr("black backs")));
+}
+
+TEST(Run, WithNothingButBlackBacksInSightThereIsNothingToAskAbout) {
+  const Workshop shop;
+  Json scene = room_scene();
+  for (Json& object : scene["objects"]) turn_round(object);
+  shop.write("turned.scene.json", scene);
+  expect_bad_input(shop.gibench({"run", "turned.scene.json", "--method", "meshless", "--surface-samples", "64", "--quiet"}),
+                   {"--surface-domain", "no camera sees a surface that light can leave", "inside out"});
 }
 
 TEST(Run, InterruptedItLeavesNothingHalfWritten) {

@@ -72,6 +72,20 @@ TEST(Study, ASecondCallKeepsWhatIsFinishedAndDoesTheRest) {
   EXPECT_NE(shop.read("out/runs/room.pathtracer-samples=1/result.json"), first);
 }
 
+/// The error that is aimed at is then that of the surface samples: one path less for each pixel would not do for both.
+TEST(Study, PixelsOfAReferenceMayHaveFewerPaths) {
+  const Workshop shop;
+  Json json = small_study({1});
+  json["reference"] = {{"samples", 4096}, {"picture_samples", 4}, {"target_error", 0.05}};
+  ASSERT_EQ(study(shop, json).status, 0);
+  const Json reference = shop.read_json("out/runs/room.pathtracer-samples=1/result.json")["reference"];
+  EXPECT_EQ(reference["image_samples_per_replica"], 4);
+  EXPECT_GT(reference["samples_per_replica"], 4);
+  EXPECT_LT(reference["samples_per_replica"], 4096);
+  EXPECT_LE(reference["surface_relative_standard_error"], 0.05);
+  EXPECT_GT(reference["image_relative_standard_error"], 0.05);
+}
+
 TEST(Study, AnotherSceneOrABetterReferenceRunsAgain) {
   const Workshop shop;
   const std::string record = "out/runs/room.pathtracer-samples=1/result.json";

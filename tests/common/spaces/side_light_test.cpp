@@ -5,7 +5,6 @@
 #include <string>
 
 #include "common/scene/made_scenes.h"
-#include "common/spaces/side_labels.h"
 
 namespace gibench {
 namespace {
@@ -120,11 +119,6 @@ TEST(SideLight, BacksOfATwoSidedRoomAreSealed) {
   const Sides sides(made.builder.build("two-sided"));
   EXPECT_EQ(sides.reached("room", true), 1.0);
   EXPECT_EQ(sides.reached("room", false), 0.0);
-  const SideLabels labels(sides.world, sides.light);
-  EXPECT_EQ(labels.count(), 2U);
-  EXPECT_NE(labels.of(0, true), labels.of(0, false));
-  EXPECT_TRUE(labels.is_reached(labels.of(0, true)));
-  EXPECT_FALSE(labels.is_reached(labels.of(0, false)));
 }
 
 TEST(SideLight, InARoomThatIsInsideOutEveryFrontCountsAsReached) {
@@ -148,7 +142,6 @@ TEST(SideLight, WithoutLightEverythingCountsAsReached) {
   const Sides sides(made.builder.build("dark"));
   EXPECT_TRUE(sides.light.nothing_reached());
   EXPECT_EQ(sides.reached("room"), 1.0);
-  EXPECT_EQ(SideLabels(sides.world, sides.light).count(), 1U);
 }
 
 TEST(SideLight, TrianglesWithoutAreaAreNotReached) {
@@ -160,7 +153,6 @@ TEST(SideLight, TrianglesWithoutAreaAreNotReached) {
   EXPECT_TRUE(sides.light.is_reached(0, true));
   EXPECT_FALSE(sides.light.is_reached(2, true));
   EXPECT_EQ(sides.light.irradiance(2, true), 0.0F);
-  EXPECT_EQ(SideLabels(sides.world, sides.light).of(2, true), SideLabels::none);
 }
 
 /// Two triangles of 25 000 m² in the sun, the room's floor a little above them.
@@ -305,19 +297,6 @@ TEST(SideLight, RaysStayWithinAFewMillions) {
   const Sides sides(made.builder.build("plain"));
   EXPECT_LE(sides.task.counters()["closest_hit_rays"], 4'000'000U);
   EXPECT_GE(sides.task.counters()["closest_hit_rays"], 2'000'000U);
-}
-
-TEST(SideLight, LabelsKeepGroupsApart) {
-  Room made;
-  made.builder.room("a", made.white, {0, 0, 0}, {1, 1, 1}).room("b", made.white, {2, 0, 0}, {3, 1, 1});
-  made.builder.light(lamp_at({0.5F, 0.5F, 0.5F})).light(lamp_at({2.5F, 0.5F, 0.5F}));
-  Scene scene = made.builder.build("groups");
-  EXPECT_EQ(SideLabels(Sides(scene).world, Sides(scene).light).count(), 1U);
-  scene.objects[1].group = "other";
-  const Sides sides(scene);
-  const SideLabels labels(sides.world, sides.light);
-  EXPECT_EQ(labels.count(), 2U);
-  EXPECT_NE(labels.of(0, true), labels.of(sides.world.scene().objects[1].triangle_begin, true));
 }
 
 }  // namespace

@@ -1,85 +1,13 @@
 // The report's page in headless Chromium, opened from disk: node page.test.mjs FIXTURE_PROGRAM REPORTS_FOLDER CHROMIUM
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
-import { createRequire } from "node:module";
-import os from "node:os";
+import { readdirSync, readFileSync, rmSync } from "node:fs";
 import path from "node:path";
-import test, { after, before } from "node:test";
+import test from "node:test";
 import { pathToFileURL } from "node:url";
+import { browser, fixture, folder, open, openViewer, picture, readThrough, redrawn, report, reports } from "./browser.mjs";
 
-const [fixture, reports, browserProgram] = process.argv.slice(2);
-const lacking = !browserProgram || !existsSync(browserProgram) ? "Chromium is not installed"
-  : ["vega", "playwright-core"].find((name) => !existsSync(path.join(reports, "node_modules", name))) ? "npm ci was not run in reports/" : null;
-if (lacking) {
-  console.log(`skipped: ${lacking}`);
-  process.exit(77);
-}
-const { chromium } = createRequire(path.join(reports, "package.json"))("playwright-core");
-
-const folder = mkdtempSync(path.join(os.tmpdir(), "gibench-page-"));
-const report = path.join(folder, "report");
 const methods = ["pathtracer", "meshless", "spectral"];
-let browser;
-
-before(async () => {
-  execFileSync(fixture, [folder], { stdio: "ignore" });
-  browser = await chromium.launch({
-    executablePath: browserProgram,
-    args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync"],
-  });
-});
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true, force: true });
-});
-
-// A page of the report; `problems` collects console errors, exceptions, failed files and requests that leave the disk.
-async function open({ width = 1280, hash = "" } = {}) {
-  const page = await browser.newPage({ viewport: { width, height: 900 } });
-  page.setDefaultTimeout(300000);  // other tests run beside this one: what is waited for comes, however long it takes
-  const problems = [];
-  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("requestfailed", (request) => problems.push(`${request.url()} failed`));
-  page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push(`asks ${request.url()}`); });
-  await page.goto(pathToFileURL(path.join(report, "index.html")).href + hash);
-  return { page, problems };
-}
-
-async function readThrough(page) {
-  const height = await page.evaluate(() => document.documentElement.scrollHeight);
-  for (let y = 0; y < height; y += 500) {
-    await page.evaluate((at) => scrollTo(0, at), y);
-    await page.waitForTimeout(30);
-  }
-}
-
-// The first scene's viewer with a picture of noise on the left, drawn.
-async function openViewer() {
-  const { page, problems } = await open();
-  const scene = page.locator("section.scene").first();
-  await scene.scrollIntoViewIfNeeded();
-  const stage = scene.locator(".stage");
-  await page.waitForFunction(() => document.querySelector(".stage").dataset.drawn >= "1");
-  await redrawn(page, () => scene.locator("select[id$=-left]").selectOption({ label: "pathtracer 16 spp" }));
-  return { page, problems, scene, stage };
-}
-
-// Waits until the viewer has drawn again after `change`.
-async function redrawn(page, change) {
-  const before = await page.evaluate(() => +document.querySelector(".stage").dataset.drawn);
-  await change();
-  await page.waitForFunction((count) => +document.querySelector(".stage").dataset.drawn > count, before);
-}
-
-// The stage without what lies over its pictures, so that only pixels of the pictures count.
-async function picture(page, stage) {
-  await page.addStyleTag({ content: ".divider, .corner { display: none }" });
-  return (await stage.screenshot()).toString("base64");
-}
-
 const errorPlots = ".scene .plot-figure:has(figcaption:text('against time'))";
 
 test("loads from disk without errors, warnings or requests that leave it", async () => {
@@ -138,10 +66,27 @@ test("exposure, light and error maps change the pixels", async () => {
   await check(async () => { await scene.locator("input.exposure").focus(); await page.keyboard.press("ArrowLeft"); });
   await check(() => scene.locator(".controls label:has(input[value=indirect])").click());
   await check(() => scene.locator("label:has(input[value=relative])").click());
-  assert.match(await scene.locator(".colour-bar").textContent(), /^0 %2\.5 %5 %7\.5 %≥ 10 %$/);
+  assert.match(await scene.locator(".viewer .colour-bar").textContent(), /^0 %2\.5 %5 %7\.5 %≥ 10 %$/);
   await check(async () => { await scene.locator("input.error-range").focus(); await page.keyboard.press("ArrowRight"); });
   await check(() => scene.locator("label:has(input[value=absolute])").click());
   await check(() => scene.locator("button.tile").nth(2).click());
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("under every picture stands its relative error, until the pictures themselves show errors", async () => {
+  const { page, problems, scene } = await openViewer();
+  const maps = scene.locator(".tile canvas.map");
+  assert.equal(await maps.count(), await scene.locator(".tile").count());
+  await page.waitForFunction(() => [...document.querySelectorAll("section.scene .tile canvas.map")].slice(0, 2).every((map) => map.width > 1));
+  assert.match(await scene.locator(".legend.maps .colour-bar").textContent(), /≥ 50 %$/);
+  // Of the second tile: the same mean as when its picture shows the relative error.
+  const note = scene.locator(".tile-note").nth(1), told = await note.textContent();
+  assert.match(told, /^mean [\d.]+ %$/);
+  await redrawn(page, () => scene.locator("label:has(input[value=relative])").click());
+  await page.waitForFunction(() => document.querySelector("section.scene .tile canvas.map").hidden);
+  assert.equal(await note.textContent(), told);
+  assert.equal(await scene.locator(".legend.maps").isVisible(), false);
   assert.deepEqual(problems, []);
   await page.close();
 });
@@ -182,6 +127,25 @@ test("every plot of error against time shows every method, and has its table", a
     }
   }
   assert.deepEqual(await page.locator("section.scene figure.table tbody").evaluateAll((bodies) => bodies.map((body) => body.rows.length)), [9, 36, 13]);
+  await page.close();
+});
+
+test("marks of methods have their run's name beside them, and lines join runs of one sweep or one name alone", async () => {
+  const { page } = await open();
+  const drawn = await page.evaluate(() => {
+    const { study, plots, plotting } = gibench, key = 0, first = study.scenes[0].runs.find((index) => study.errors[key].runs[index] && study.runs[index].method !== study.methods[0].name);
+    // Three modes of one method, a coarser run of one of them, and a fifth at the first one's place.
+    const labels = ["radiosity", "radiosity, coarse", "implicit", "antiradiance", "the same again"];
+    const runs = labels.map((label, i) => ({ ...study.runs[first], label, time: { surface: 2 ** (i % 4), image: 2 ** (i % 4) } }));
+    const errors = { ...study.errors, [key]: { ...study.errors[key], runs: runs.map((_, i) => ({ ...study.errors[key].runs[first], y: 0.1 * 2 ** -(i % 4), low: undefined, high: undefined })) } };
+    const spec = plotting.errorPlot({ ...study, runs, errors }, plots, { ...study.scenes[0], runs: runs.map((_, i) => i) }, key, 600);
+    return { series: spec.datasets.runs.map((p) => p.series), names: spec.datasets.names };
+  });
+  assert.equal(drawn.series[0], drawn.series[1]);
+  assert.equal(new Set(drawn.series).size, 4);
+  assert.deepEqual(drawn.names.map((name) => name.name), ["radiosity", "radiosity, coarse", "implicit", "antiradiance", "the same again"]);
+  const [at, , , , again] = drawn.names;
+  assert.ok(at.align !== again.align || at.dy !== again.dy, "two names at one place would lie on one another");
   await page.close();
 });
 

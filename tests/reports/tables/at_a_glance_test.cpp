@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "reports/tables/table_cells.h"
+
 namespace gibench::report {
 namespace {
 
@@ -43,11 +47,13 @@ Study study_of(std::vector<StudyRun> runs) {
 }
 
 /// Of a table's first row.
-std::string text_of(const Table& table, const std::string& column) {
+Cell cell_of(const Table& table, const std::string& column) {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
-    if (table.columns[i].name == column) return table.rows.at(0).at(i).text;
-  return "no column " + column;
+    if (table.columns[i].name == column) return table.rows.at(0).at(i);
+  return text_cell("no column " + column);
 }
+std::string text_of(const Table& table, const std::string& column) { return cell_of(table, column).text; }
+std::string raw_of(const Table& table, const std::string& column) { return cell_of(table, column).raw; }
 
 TEST(Verdict, IsDecidedByTheWholeInterval) {
   EXPECT_EQ(verdict_of({.factor = 2.0, .low = 1.5, .high = 3.0}), Verdict::ahead);
@@ -64,17 +70,48 @@ TEST(BreakEvenOf, IsWherePreparingIsPaid) {
   const Study study = study_of({run_of("a", "m", 4.0, 1.0, 0.1)});
   const auto rows = glance_rows(study, key);
   ASSERT_EQ(rows.size(), 1U);
-  ASSERT_TRUE(rows[0].points && rows[0].points->number);
-  EXPECT_NEAR(*rows[0].points->number, 4.0 / (0.010 - 0.001), 1e-9);
+  ASSERT_TRUE(rows[0].points);
+  EXPECT_NEAR(rows[0].points->number, 4.0 / (0.010 - 0.001), 1e-9);
   EXPECT_FALSE(rows[0].pictures) << "no picture was taken";
 }
 
+/// 13 ms a point: path tracing takes 12.3 ms at most, to the error of the interval's near end.
 TEST(BreakEvenOf, IsNeverWherePathTracingIsCheaperForEachPoint) {
-  const Study study = study_of({run_of("a", "m", 1.0, 12.0, 0.1)});
+  const Study study = study_of({run_of("a", "m", 1.0, 13.0, 0.1)});
   const auto rows = glance_rows(study, key);
   ASSERT_TRUE(rows[0].points);
-  EXPECT_FALSE(rows[0].points->number);
+  EXPECT_TRUE(std::isinf(rows[0].points->number));
   EXPECT_EQ(text_of(glance_table(study, key, rows), "pays_from_points"), "never");
+}
+
+/// Path tracing to an error of e takes 10 s (0.1/e)² for 1000 points: at 0.09 and 0.11, the ends of the interval, 12.3 and 8.26
+/// s.
+TEST(BreakEvenOf, HasTheIntervalOfTheError) {
+  const Study study = study_of({run_of("a", "m", 4.0, 1.0, 0.1)});
+  const auto rows = glance_rows(study, key);
+  ASSERT_TRUE(rows[0].points && rows[0].points->low && rows[0].points->high);
+  EXPECT_NEAR(*rows[0].points->low, 4.0 / (0.010 / 0.81 - 0.001), 1e-9);
+  EXPECT_NEAR(*rows[0].points->high, 4.0 / (0.010 / 1.21 - 0.001), 1e-9);
+  const Table table = glance_table(study, key, rows);
+  EXPECT_EQ(text_of(table, "pays_from_points"), "445 [353, 551]");
+  EXPECT_EQ(raw_of(table, "pays_from_points_ci95_low"), exact(*rows[0].points->low));
+  EXPECT_EQ(raw_of(table, "pays_from_points_ci95_high"), exact(*rows[0].points->high));
+}
+
+/// 9 ms a point: path tracing takes 10 ms to the same error, 8.26 ms to that of the interval's far end; and 11 ms a point.
+TEST(BreakEvenOf, MayBeNeverAtAnEndOfItsInterval) {
+  const Study pays = study_of({run_of("a", "m", 4.0, 9.0, 0.1)}), never = study_of({run_of("a", "m", 4.0, 11.0, 0.1)});
+  EXPECT_EQ(text_of(glance_table(pays, key, glance_rows(pays, key)), "pays_from_points"), "4000 [1196, never]");
+  EXPECT_EQ(text_of(glance_table(never, key, glance_rows(never, key)), "pays_from_points"), "never [2973, never]");
+}
+
+/// The error may be far smaller than the end of its interval, at which path tracing is cheaper for each point.
+TEST(BreakEvenOf, IsOpenWhereTheErrorIsNotResolvedAndDoesNotPayAtItsFarEnd) {
+  Study study = study_of({run_of("a", "m", 4.0, 9.0, 0.1)});
+  study.runs.back().errors[key].resolved = false;
+  const Table table = glance_table(study, key, glance_rows(study, key));
+  EXPECT_EQ(text_of(table, "pays_from_points"), "undecided");
+  EXPECT_EQ(raw_of(table, "pays_from_points"), "");
 }
 
 TEST(BreakEvenOf, IsAnUpperBoundWhereTheErrorIsNotResolved) {
