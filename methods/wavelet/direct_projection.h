@@ -2,13 +2,13 @@
 #pragma once
 
 #include "common/lighting/direct_light.h"
-#include "methods/wavelet/settings.h"
 #include "methods/wavelet/transform.h"
 
 namespace gibench::wavelet {
 
-/// Irradiance straight from the lights, W/m²: the coefficients of its means over the leaves, each from some of the leaf's points.
-Coefficients<Rgb> project_direct_light(const World& world, const Elements& elements, const DirectLight& light,
-                                       const Settings& settings, Task& task);
+/// Irradiance straight from the lights, W/m²: the coefficients of its means over the leaves, each from the leaf's points with
+/// `samples` light samples at each.
+Coefficients<Rgb> project_direct_light(const World& world, const Elements& elements, const DirectLight& light, int samples,
+                                       Task& task);
 
 }  // namespace gibench::wavelet

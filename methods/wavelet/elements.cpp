@@ -52,7 +52,10 @@ float depth_inside(const Patch& patch, const Vec3& normal, const Vec3& point) {
 }  // namespace
 
 Elements::Elements(const World& world, const ElementOptions& options, Task& task) {
-  for (const FlatPiece& piece : flat_pieces(world, options.cuts)) {
+  const FlatPieces flat = flat_pieces(world, options.cuts);
+  task.count("quads_by_triangle", flat.quads_by_triangle);
+  task.count("faces_without_area", flat.faces_without_area);
+  for (const FlatPiece& piece : flat.pieces) {
     Element element;
     element.triangle = piece.triangle;
     element.object = world.scene().triangle_object[piece.triangle];
@@ -161,6 +164,24 @@ void Elements::gather_areas() {
     for (const NodePoint& point : own) area += static_cast<double>(point.area);
     node.area = static_cast<float>(area);
   }
+}
+
+/// One child after the other, so that any four that are open lie in four children.
+void Elements::keep_points(std::size_t of_leaf) {
+  std::vector<NodePoint> kept;
+  for (const std::uint32_t leaf : leaves_) {
+    const std::size_t begin = kept.size();
+    for (std::size_t turn = 0; turn < points_a_node && kept.size() < begin + of_leaf; ++turn) {
+      const std::size_t child = turn % child_count, place = (turn / child_count + mix_keys(leaf, child)) % child_count;
+      const NodePoint& point = points(leaf)[child * child_count + place];
+      if (point.area > 0.0F) kept.push_back(point);
+    }
+    for (std::size_t i = begin; i < kept.size(); ++i) kept[i].area = nodes_[leaf].area / static_cast<float>(kept.size() - begin);
+    kept.resize(begin + of_leaf);
+  }
+  points_ = std::move(kept);
+  points_.shrink_to_fit();
+  kept_points_ = of_leaf;
 }
 
 void Elements::add_groups() {

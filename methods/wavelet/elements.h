@@ -75,9 +75,14 @@ class Elements {
   std::size_t functions() const { return functions_; }
 
   const Element& element_of(std::uint32_t node) const { return elements_[nodes_[node].element]; }
+  /// Sixteen; after keep_points() fewer, and of leaves alone.
   std::span<const NodePoint> points(std::uint32_t node) const {
-    return std::span(points_).subspan(node * points_a_node, points_a_node);
+    const std::size_t row = kept_points_ > 0 ? leaf_of_node_[node] : node,
+                      count = kept_points_ > 0 ? kept_points_ : points_a_node;
+    return std::span(points_).subspan(row * count, count);
   }
+  /// Once the kernel needs no more points: so many of each leaf stay, spread over its children, none that is hidden.
+  void keep_points(std::size_t of_leaf);
   Vec3 origin(std::uint32_t node, const NodePoint& point) const {
     return point.position + element_of(node).offset * element_of(node).normal;
   }
@@ -106,6 +111,7 @@ class Elements {
   std::vector<std::uint32_t> first_triangle_;  ///< of a scene triangle: itself, or the other of its quad, which elements name
   std::optional<Grouped> by_side_;             ///< elements of sides of scene triangles
   std::size_t functions_ = 0;
+  std::size_t kept_points_ = 0;  ///< of every leaf; 0: all points of all nodes
 };
 
 }  // namespace gibench::wavelet

@@ -36,7 +36,7 @@ bool is_planar_and_convex(const std::array<Vec3, 4>& p) {
   return true;
 }
 
-std::vector<Flat> faces_of(const World& world) {
+std::vector<Flat> faces_of(const World& world, FlatPieces& counts) {
   const Scene& scene = world.scene();
   std::vector<Flat> faces;
   for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
@@ -53,7 +53,11 @@ std::vector<Flat> faces_of(const World& world) {
         continue;
       }
     }
-    if (!(world.area(t) > 0.0F)) continue;
+    if (begins_quad) ++counts.quads_by_triangle;
+    if (!(world.area(t) > 0.0F)) {
+      ++counts.faces_without_area;
+      continue;
+    }
     const auto& [a, b, c] = scene.triangles[t].corners;
     faces.push_back({{vertex(a), vertex(b), vertex(c)}, world.normal(t), t});
   }
@@ -183,18 +187,18 @@ void add_polygon(const Polygon& polygon, const Flat& face, std::vector<FlatPiece
 
 }  // namespace
 
-std::vector<FlatPiece> flat_pieces(const World& world, bool cuts) {
-  const std::vector<Flat> faces = faces_of(world);
+FlatPieces flat_pieces(const World& world, bool cuts) {
+  FlatPieces result;
+  const std::vector<Flat> faces = faces_of(world, result);
   const Cutter cutter(faces, world.diagonal());
-  std::vector<FlatPiece> pieces;
   for (const Flat& face : faces) {
     if (!cuts || faces.size() > most_cut_faces) {
-      add_polygon(face.corners, face, pieces);
+      add_polygon(face.corners, face, result.pieces);
       continue;
     }
-    for (const Polygon& part : cutter.cut(face)) add_polygon(part, face, pieces);
+    for (const Polygon& part : cutter.cut(face)) add_polygon(part, face, result.pieces);
   }
-  return pieces;
+  return result;
 }
 
 }  // namespace gibench::wavelet

@@ -79,6 +79,7 @@ Precomputed precompute(const World& world, const Settings& settings, bool tests_
   task.count("truncation_ppm", static_cast<std::uint64_t>(std::lround(1e6 * making.dropped_share)));
   task.progress("links", 0.9);
   if (task.cancelled()) return made;
+  made.elements.keep_points(static_cast<std::size_t>(settings.direct_points));
   made.reconstruction = Reconstruction(world, made.elements, tests_visibility, task);
   return made;
 }

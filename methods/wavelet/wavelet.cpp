@@ -82,7 +82,7 @@ class Wavelet : public TransportMethod {
       report.message = simulates_indirect() ? "no light: nothing to transport" : "nothing to transport";
       return;
     }
-    const Coefficients<Rgb> direct = project_direct_light(*world_, made_.elements, lights.direct, settings_, task);
+    const Coefficients<Rgb> direct = project_direct_light(*world_, made_.elements, lights.direct, settings_.direct_samples, task);
     task.progress("direct light", 0.5);
     if (task.cancelled()) return;
     const IndirectLight solved =

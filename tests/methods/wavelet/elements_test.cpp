@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "common/geometry/surface_sampling.h"
 #include "methods/wavelet/flat_pieces.h"
 #include "rooms.h"
@@ -67,13 +70,32 @@ TEST(WaveletElements, CutFacesKeepTheirArea) {
   const World world = room_with_block();
   for (const bool cuts : {false, true}) {
     double area = 0.0;
-    for (const FlatPiece& piece : flat_pieces(world, cuts)) {
+    for (const FlatPiece& piece : flat_pieces(world, cuts).pieces) {
       area += static_cast<double>(piece.patch.area());
       EXPECT_NEAR(glm::dot(glm::normalize(piece.patch.area_vector()), piece.normal), 1.0F, 1e-4F);
     }
     EXPECT_NEAR(area, world.total_area(), 1e-4 * world.total_area());
   }
-  EXPECT_GT(flat_pieces(world, true).size(), flat_pieces(world, false).size());
+  EXPECT_GT(flat_pieces(world, true).pieces.size(), flat_pieces(world, false).pieces.size());
+}
+
+TEST(WaveletElements, OddQuadsAreTakenByTriangleAndCounted) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
+  const auto quad = [&](const char* name, const std::array<Vec3, 4>& corners) { builder.quad(name, white, corners); };
+  quad("flat", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  quad("bent", {{{2, 0, 0}, {3, 0, 0}, {3, 1, 0.5F}, {2, 1, 0}}});
+  quad("concave", {{{4, 0, 0}, {5, 0, 0}, {4.2F, 0.2F, 0}, {4, 1, 0}}});
+  quad("bow tie", {{{6, 0, 0}, {7, 1, 0}, {7, 0, 0}, {6, 1, 0}}});
+  quad("line", {{{8, 0, 0}, {8.5F, 0, 0}, {9, 0, 0}, {8.2F, 0, 0}}});
+  const World world(builder.build("odd quads"), 1);
+  const FlatPieces flat = flat_pieces(world, true);
+  EXPECT_EQ(flat.quads_by_triangle, 4U);
+  EXPECT_EQ(flat.faces_without_area, 2U);
+  Task task;
+  const Elements elements(world, {0.05, true, 4}, task);
+  EXPECT_EQ(task.counters()["quads_by_triangle"], 4U);
+  for (const Node& node : elements.nodes()) EXPECT_TRUE(std::isfinite(node.area));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "common/core/random.h"
 #include "methods/wavelet/blocks.h"
+#include "methods/wavelet/bounces.h"
 #include "methods/wavelet/closure.h"
 #include "methods/wavelet/operator_making.h"
 #include "rooms.h"
@@ -23,10 +24,11 @@ struct Made {
   Blocks blocks;
   OperatorMaking made;
 
-  Made(Scene scene, double leaf_area, double receiver, double sender, double compression = 0.0)
+  Made(Scene scene, double leaf_area, double receiver, double sender, double compression = 0.0,
+       KernelForm form = KernelForm::polygons)
       : world(std::move(scene), 1),
         elements(world, {leaf_area, true, 4}, task),
-        kernel(world, elements, {KernelForm::polygons, true, 16, 1}),
+        kernel(world, elements, {form, true, 16, 1}),
         blocks(world, elements, kernel, {receiver, sender, 1U << 24U}, task),
         made(make_operator(elements, blocks, compression, Precision::bits32, task)) {}
 
@@ -113,6 +115,54 @@ TEST(WaveletOperator, ClosedRoomsAreHeldToTheirSums) {
   made.made = make_operator(made.elements, made.blocks, 0.0, Precision::bits32, made.task);
   for (const Rgb& value : made.transported(std::vector<Rgb>(made.elements.leaves().size(), Rgb(1.0F))))
     EXPECT_NEAR(value.g, 1.0F, off + 1e-5F);
+}
+
+/// Quads on top of each other, through each other, and edge to edge.
+TEST(WaveletOperator, TouchingAndCrossingSurfacesGiveFiniteBoundedLinks) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.6F));
+  const std::array<Vec3, 4> floor{{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}};
+  builder.quad("floor", white, floor, true).quad("twin", white, floor, true);
+  builder.quad("crossing", white, {{{0.5F, -0.5F, 0}, {0.5F, -0.5F, 1}, {0.5F, 0.5F, 1}, {0.5F, 0.5F, 0}}}, true);
+  builder.quad("touching", white, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, true);
+  builder.quad("close", white, {{{0, 1e-3F, 0}, {0, 1e-3F, 0.3F}, {0.3F, 1e-3F, 0.3F}, {0.3F, 1e-3F, 0}}}, true);
+  for (const KernelForm form : {KernelForm::polygons, KernelForm::samples}) {
+    Made made(builder.build("touching"), 0.02, 0.003, 0.003, 0.0, form);
+    hold_to_sums(made.world, made.elements, 0, made.blocks, made.task);
+    made.made = make_operator(made.elements, made.blocks, 0.0, Precision::bits32, made.task);
+    for (const Rgb& value : made.transported(std::vector<Rgb>(made.elements.leaves().size(), Rgb(1.0F)))) {
+      EXPECT_TRUE(std::isfinite(value.g));
+      if (form == KernelForm::samples) continue;  // which spikes where surfaces touch
+      EXPECT_GE(value.g, -1e-4F);
+      EXPECT_LE(value.g, 1.02F);
+    }
+  }
+}
+
+TEST(WaveletOperator, ClosedRoomsKeepTheirEnergy) {
+  constexpr float albedo = 0.8F;
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(albedo));
+  builder.room("room", white, Vec3(0.0F), Vec3(1.0F));
+  builder.block("block", white, {0.3F, 0.2F, 0.4F}, {0.6F, 0.5F, 0.8F}, 20.0F);
+  Made made(builder.build("room with a block in the air"), 0.01, 0.002, 0.002);
+  hold_to_sums(made.world, made.elements, 256, made.blocks, made.task);
+  made.made = make_operator(made.elements, made.blocks, 0.0, Precision::bits32, made.task);
+  const std::span leaves = made.elements.leaves();
+  std::vector<Rgb> direct(leaves.size());
+  double given = 0.0, found = 0.0;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const bool lit = made.elements.nodes()[leaves[i]].patch.middle().x < 0.2F;
+    direct[i] = Rgb(lit ? 1.0F : 0.0F);
+    given += lit ? static_cast<double>(made.elements.nodes()[leaves[i]].area) : 0.0;
+  }
+  const std::vector<Rgb> reflectance(made.elements.elements().size(), Rgb(albedo));
+  const IndirectLight light = bounce(made.elements, made.made.transport, coefficients_of<Rgb>(made.elements, direct), reflectance,
+                                     {{}, 10000, 1e-5}, made.task);
+  const std::vector<Rgb> means = leaf_means_of<Rgb>(made.elements, light.irradiance);
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    found += static_cast<double>(means[i].g * made.elements.nodes()[leaves[i]].area);
+  EXPECT_NEAR(found / (given * 0.8 / 0.2), 1.0, 0.005);
 }
 
 }  // namespace
