@@ -11,6 +11,7 @@
 #include "methods/meshless/meshless.h"
 #include "methods/pathtracer/pathtracer.h"
 #include "methods/spectral/spectral.h"
+#include "methods/wavelet/wavelet.h"
 
 namespace gibench {
 
@@ -18,10 +19,7 @@ namespace {
 
 std::vector<MethodEntry>& registry() {
   static std::vector<MethodEntry> methods{
-      pathtracer_entry(),
-      meshless_entry(),
-      spectral_entry(),
-      antiradiance_entry(),
+      pathtracer_entry(), meshless_entry(), spectral_entry(), antiradiance_entry(), wavelet_entry(),
   };
   return methods;
 }

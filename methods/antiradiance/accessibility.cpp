@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/finite_elements/polygon_form_factor.h"
 #include "methods/antiradiance/bin_transport.h"
 #include "methods/antiradiance/pull.h"
 

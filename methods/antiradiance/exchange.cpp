@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/finite_elements/polygon_form_factor.h"
+
 namespace gibench::antiradiance {
 
 namespace {

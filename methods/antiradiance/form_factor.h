@@ -1,7 +1,5 @@
-/// Unoccluded form factors: disc to disc, point to disc, point to polygon. Each is bounded at any distance.
+/// Unoccluded form factors of discs, bounded at any distance.
 #pragma once
-
-#include <span>
 
 #include "common/core/lanes.h"
 #include "common/core/vec.h"
@@ -40,9 +38,5 @@ float disc_exchange(const Disc& i, const Disc& j);
 
 /// F_ij between those sides, in [0, 1].
 inline float disc_form_factor(const Disc& i, const Disc& j) { return i.area > 0.0F ? disc_exchange(i, j) / i.area : 0.0F; }
-
-/// Form factor from a surface element at `point` to the polygon, in [0, 1]: Lambert's formula over its edges, clipped to the
-/// hemisphere of the unit `normal`. The polygon is planar or nearly so, has at most 6 corners, and counts from both sides.
-float polygon_form_factor(const Vec3& point, const Vec3& normal, std::span<const Vec3> corners);
 
 }  // namespace gibench::antiradiance

@@ -53,6 +53,8 @@ const std::vector<MethodRule>& rules() {
         rule_of("antiradiance", "implicit", {{"mode", "implicit"}}),
         disc_bounce,
         preset("antiradiance", "paper"),
+        rule_of("wavelet", "", {}),
+        rule_of("wavelet", "gathered", {{"mode", "gathered"}}),
     };
   }();
   return all;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/core/sampling.h"
+#include "common/finite_elements/polygon_form_factor.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/scene/made_scenes.h"
 #include "methods/antiradiance/discretisation.h"
