@@ -166,7 +166,7 @@ std::optional<MetricEstimate> weighted_mean(std::span<const Rgb> values, const R
   const double c = constant.value(mean);
   Summed summed = sum_terms(values, reference, [&](std::size_t i, const Compared& at) { return term_of(i, at, c); });
   add_slope_of_mean(summed.estimate, reference.mean, mean, summed.by_constant * constant.slope(mean));
-  if (std::ranges::any_of(summed.without, [](double value) { return value != 0.0; }))
+  if (constant.of_square && reference.groups.size() > 3)
     summed.estimate.without_group.assign(summed.without.begin(), summed.without.begin() + std::ssize(reference.groups));
   // A weight goes with r to the power of −2 or −1 at most.
   summed.estimate.least_share = std::pow(1.0 - unseen_share(reference, mean), constant.of_square ? 2.0 : 1.0);

@@ -146,8 +146,8 @@ INSTANTIATE_TEST_SUITE_P(
                     ExpectedCoverage{{{0.1F}, 400, 8, 0.8F}, 0.93}, ExpectedCoverage{{{0.0F}, 400, 8, 0.8F}, 0.94},
                     ExpectedCoverage{{{0.2F}, 400, 8, 1.0F, Noise::skewed}, 0.91},
                     // Enough points that the largest errors are left out.
-                    ExpectedCoverage{{{0.1F}, 1500, 8, 0.1F}, 0.94}, ExpectedCoverage{{{0.0F}, 1500, 8, 0.3F}, 0.94},
-                    ExpectedCoverage{{{0.1F}, 1500, 8, 0.2F, Noise::fireflies}, 0.91}));
+                    ExpectedCoverage{{{0.1F}, 1050, 8, 0.1F}, 0.94}, ExpectedCoverage{{{0.0F}, 1050, 8, 0.3F}, 0.94},
+                    ExpectedCoverage{{{0.1F}, 1050, 8, 0.2F, Noise::fireflies}, 0.91}));
 
 TEST(Intervals, TheReferencesNoiseDoesNotCountAgainstTheMethod) {
   const Field field{0.1F};

@@ -74,6 +74,16 @@ TEST(WeightedMetrics, OfManyReplicatesAreThoseOfEightGroups) {
   EXPECT_NEAR(relative_squared_error(x, of_many.means())->value, relative_squared_error(x, of_joined.means())->value, 1e-6);
 }
 
+/// An exact method's estimate has the shape of every other's, so that the two can be compared.
+TEST(WeightedMetrics, OfAnExactMethodGoByGroupsAsWell) {
+  const Values truth(50, Rgb(1.0F));
+  Replicas exact;
+  exact.replicas.assign(16, truth);
+  const HalvedReference reference(exact);
+  EXPECT_EQ(relative_squared_error(truth, reference.means())->without_group.size(), 8U);
+  EXPECT_EQ(relative_squared_error(Values(50, Rgb(1.1F)), reference.means())->without_group.size(), 8U);
+}
+
 /// The mean of a metric over references, and its standard error.
 struct Mean {
   double value = 0.0, error = 0.0, correction = 0.0;
