@@ -32,7 +32,7 @@ struct Settings {
   double receiver_threshold = 1e-3;  ///< ε_r
   int rays = 16;                     ///< of a pair of leaves
   int closure_rays = 64;             ///< from a leaf
-  double compression = 1e-5;         ///< links without a larger coefficient are left out
+  double compression = 1e-4;         ///< links without a larger coefficient are left out
   Precision precision = Precision::bits16;
   double memory_budget = 2000.0;  ///< MB
   // Global transport operator (section 4.4).
@@ -40,10 +40,10 @@ struct Settings {
   double series_threshold = 1e-4;  ///< links of a power without a larger coefficient are left out
   int powers = 100;                ///< of the direct operator, at most
   // Light.
-  int bounces = 1000;      ///< most bounces computed
-  double residual = 1e-3;  ///< share of the solution that the bounces left out may hold
-  int direct_points = 4;   ///< of a leaf, where its direct light is taken
-  int direct_samples = 1;  ///< light samples at such a point
+  int bounces = 1000;       ///< most bounces computed
+  double residual = 1e-3;   ///< share of the solution that the bounces left out may hold
+  int direct_points = 4;    ///< of a leaf, where its direct light is taken
+  int direct_samples = 64;  ///< light samples at such a point; what comes from points and in one direction takes one ray
 };
 
 ParameterSchema settings_schema();

@@ -204,7 +204,12 @@ MethodEntry wavelet_entry() {
           [](const Parameters& parameters) -> std::unique_ptr<TransportMethod> {
             return std::make_unique<Wavelet>(settings_from(parameters));
           },
-          {{"leaves", "1200"}, {"sender_threshold", "0.003"}, {"receiver_threshold", "0.003"}},
+          {{"leaves", "1200"},
+           {"sender_threshold", "0.003"},
+           {"receiver_threshold", "0.003"},
+           {"compression", "1e-4"},
+           {"series_threshold", "1e-3"},
+           {"direct_samples", "8"}},
           "mode",
           presets()};
 }
