@@ -40,7 +40,7 @@ class CoarseBounces {
         task_(task),
         levels_(coarse_levels(hierarchy_, settings)),
         rows_(hierarchy_, transport.groups, levels_, settings.epsilon_omega, light.channels()),
-        near_hits_(hierarchy_, transport.groups, levels_, settings.epsilon_omega) {}
+        near_hits_(hierarchy_, transport.groups, levels_, settings.epsilon_omega, task.seed()) {}
 
   IndirectLight solve() {
     const bool single = bound_.bounces.last() == 1;

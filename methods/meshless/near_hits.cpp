@@ -30,8 +30,13 @@ float distance_of(const Hierarchy& hierarchy, std::uint32_t level, float solid_a
 
 }  // namespace
 
-NearHits::NearHits(const Hierarchy& hierarchy, const Groups& groups, std::uint32_t levels, double epsilon_omega)
-    : hierarchy_(hierarchy), groups_(groups), epsilon_omega_(static_cast<float>(epsilon_omega)), slot_(hierarchy.size(), 0) {
+NearHits::NearHits(const Hierarchy& hierarchy, const Groups& groups, std::uint32_t levels, double epsilon_omega,
+                   std::uint64_t seed)
+    : hierarchy_(hierarchy),
+      groups_(groups),
+      epsilon_omega_(static_cast<float>(epsilon_omega)),
+      seed_(seed),
+      slot_(hierarchy.size(), 0) {
   if (levels > 0 && levels < hierarchy.levels()) reach_ = distance_of(hierarchy, levels - 1, epsilon_omega_);
 }
 
@@ -47,23 +52,28 @@ void NearHits::keep(std::uint32_t point, const Gatherer& gatherer, GatherBuffers
   std::vector<NearHit>& kept = hits_[slot_[point]];
   const Vec3& receiver = hierarchy_.position(point);
   const float share = 1.0F / static_cast<float>(gatherer.rays());
-  RandomStream random(point, choice_stage, 0);
-  std::size_t run = gatherer.rays();  // of the last hit that was kept
+  RandomStream random(seed_, choice_stage, point);
+  std::size_t run = gatherer.rays();  // of the last hit that was near
+  Rgb own;                            // weight of the hit that stands for the run so far
+  float sum = 0.0F;                   // Σ of the largest channel of the run's weights
   for (std::size_t i = 0; i < buffers.lit.size(); ++i) {
     const SurfaceSample& hit = buffers.lit[i];
     const Vec3 apart = hit.position - receiver;
     if (!(glm::dot(apart, apart) < reach_ * reach_)) continue;
     const bool new_run = std::exchange(run, buffers.ray_of_lit[i] / run_rays) != buffers.ray_of_lit[i] / run_rays;
-    if (new_run) kept.emplace_back();
+    if (new_run) kept.emplace_back(), sum = 0.0F;
     NearHit& chosen = kept.back();
     const Rgb weight = buffers.albedos[i] * share;
-    chosen.weight += weight;
-    // Each hit of a run is the one that is kept with a chance in proportion to its weight.
-    if (new_run || random.next_float() * largest(chosen.weight) < largest(weight)) {
+    sum += largest(weight);
+    // Each hit of a run is the one that is kept with a chance in proportion to the largest channel of its weight. Its own weight
+    // over that chance is right in the mean for every channel, which the sum of the run's weights would not be.
+    if (new_run || random.next_float() * sum < largest(weight)) {
       chosen.position = hit.position;
       chosen.normal = pack_normal(hit.normal);
       chosen.group = groups_.of(hit);
+      own = weight;
     }
+    chosen.weight = own * (sum / largest(own));
   }
   kept.shrink_to_fit();
 }

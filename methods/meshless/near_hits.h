@@ -18,8 +18,8 @@ namespace gibench::meshless {
 /// ray.
 class NearHits : public HitKeeper {
  public:
-  /// `levels`: those that the senders of the gathers hold.
-  NearHits(const Hierarchy& hierarchy, const Groups& groups, std::uint32_t levels, double epsilon_omega);
+  /// `levels`: those that the senders of the gathers hold. `seed` fixes which hits are kept.
+  NearHits(const Hierarchy& hierarchy, const Groups& groups, std::uint32_t levels, double epsilon_omega, std::uint64_t seed);
 
   void announce(std::span<const std::uint32_t> points) override;
   void keep(std::uint32_t point, const Gatherer& gatherer, GatherBuffers& buffers) override;
@@ -35,12 +35,13 @@ class NearHits : public HitKeeper {
     Vec3 position{0.0F};
     std::uint32_t normal = 0;  ///< packed
     std::uint32_t group = 0;
-    Rgb weight;  ///< Σ albedo / rays of those that it stands for
+    Rgb weight;  ///< its albedo / rays, over the chance that it was kept
   };
 
   const Hierarchy& hierarchy_;
   const Groups& groups_;
   float epsilon_omega_;
+  std::uint64_t seed_;
   float reach_ = 0.0F;  ///< metres: nearer hits call for finer levels
   std::vector<std::uint32_t> points_;
   std::vector<std::uint32_t> slot_;  ///< of every point of the hierarchy, where it was announced

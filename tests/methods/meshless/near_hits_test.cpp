@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "common/finite_elements/surface_point.h"
@@ -15,12 +17,12 @@ namespace {
 
 constexpr std::uint32_t coarse_levels = 1;
 
-/// Gathers at the coarsest points of a box, whose near hits were kept.
+/// Gathers at the coarsest points of a scene, whose near hits were kept.
 class KeptHits {
  public:
-  explicit KeptHits(double epsilon_omega)
-      : scene_(made::box_scene()),
-        hits(scene_.hierarchy, scene_.groups, coarse_levels, epsilon_omega),
+  explicit KeptHits(double epsilon_omega, Scene scene = made::box_scene(), std::uint64_t seed = 1)
+      : scene_(std::move(scene)),
+        hits(scene_.hierarchy, scene_.groups, coarse_levels, epsilon_omega, seed),
         gatherer_(scene_.world, 512) {}
 
   /// What a gather at a point gets from a function.
@@ -68,8 +70,27 @@ Coefficients detail_of(const test::BasisScene& scene, Function&& function) {
   return made;
 }
 
+/// The box without colours: hits weigh the same in every channel, so that the sum of a run's weights is kept.
+Scene grey_box() {
+  made::BoxOptions options;
+  options.left_albedo = Rgb(0.3F);
+  options.right_albedo = Rgb(0.5F);
+  return made::box_scene(options);
+}
+
+/// A floor in the corner of a red wall and a green one.
+Scene two_coloured_corner() {
+  made::SceneBuilder builder;
+  const std::uint32_t red = builder.diffuse("red", Rgb(0.8F, 0.1F, 0.2F));
+  const std::uint32_t green = builder.diffuse("green", Rgb(0.1F, 0.6F, 0.3F));
+  builder.quad("floor", builder.diffuse("white", Rgb(0.7F)), {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}})
+      .quad("red", red, {{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}})
+      .quad("green", green, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  return builder.build("corner");
+}
+
 TEST(NearHits, BringEvenDetailAsTheGatherWouldHave) {
-  KeptHits kept(0.0);  // every hit calls for all levels
+  KeptHits kept(0.0, grey_box());  // every hit calls for all levels
   const Coefficients even = detail_of(kept.scene(), [](const Vec3&) { return Rgb(0.5F, 1.0F, 2.0F); });
   std::vector<Rgb> gathered;
   kept.gather(even, 0.0, [&](std::uint32_t, const Rgb& value, const GatherBuffers&) { gathered.push_back(value); });
@@ -98,9 +119,44 @@ TEST(NearHits, OneOfNeighbouringHitsStandsForAllWithoutBias) {
   EXPECT_LT(kept.hits.size(), gathered.size() * 512 / 7);
 }
 
+TEST(NearHits, OfTwoColoursStandForAllWithoutBiasInEveryChannel) {
+  KeptHits kept(0.0, two_coloured_corner());
+  // Light on the red wall for the most part: where a hit there stands for some of the green wall too, it must not bring their
+  // green.
+  const Coefficients uneven = detail_of(kept.scene(), [](const Vec3& at) { return Rgb(at.x < 1e-4F ? 1.0F : 0.1F); });
+  std::vector<Rgb> gathered;
+  kept.gather(uneven, 0.0, [&](std::uint32_t, const Rgb& value, const GatherBuffers&) { gathered.push_back(value); });
+  const Coefficients arriving = kept.hits.arriving(uneven, kept.task);
+  RgbDouble apart, squares, sum;
+  for (std::uint32_t point = 0; point < gathered.size(); ++point) {
+    const RgbDouble difference = RgbDouble(arriving[point]) - RgbDouble(gathered[point]);
+    apart += difference, squares += difference * difference, sum += RgbDouble(gathered[point]);
+  }
+  // The differences are independent from point to point: five standard deviations of their sum, too few to hide a bias in.
+  for (int channel = 0; channel < 3; ++channel) {
+    const double deviation = std::sqrt(squares[channel]);
+    EXPECT_LT(std::fabs(apart[channel]), 5.0 * deviation) << channel;
+    EXPECT_LT(5.0 * deviation, 0.02 * sum[channel]) << channel;
+  }
+}
+
+TEST(NearHits, AreChosenByTheSeed) {
+  const auto arriving = [](std::uint64_t seed) {
+    KeptHits kept(0.0, two_coloured_corner(), seed);
+    const Coefficients slope = detail_of(kept.scene(), [](const Vec3& at) { return Rgb(at.x + at.y + at.z); });
+    std::vector<float> values;
+    kept.gather(slope, 0.0, [](std::uint32_t, const Rgb&, const GatherBuffers&) {});
+    const Coefficients made = kept.hits.arriving(slope, kept.task);
+    for (const std::uint32_t point : made.sorted_points()) values.push_back(made[point].g);
+    return values;
+  };
+  EXPECT_EQ(arriving(1), arriving(1));
+  EXPECT_NE(arriving(1), arriving(2));
+}
+
 TEST(NearHits, AreThoseThatTheCoarseLevelsAreTooCoarseFor) {
-  constexpr double epsilon_omega = 0.5;
-  KeptHits kept(epsilon_omega);
+  constexpr double epsilon_omega = 1.0;
+  KeptHits kept(epsilon_omega, grey_box());
   const Hierarchy& hierarchy = kept.scene().hierarchy;
   // The mean ball subtends 2π (1 − cos θ) at the distance radius / sin θ.
   double radius = 0.0;
@@ -131,7 +187,7 @@ TEST(NearHits, AreThoseThatTheCoarseLevelsAreTooCoarseFor) {
 
 TEST(NearHits, OfSendersOnAllLevelsThereAreNone) {
   const test::BasisScene scene(made::box_scene());
-  const NearHits hits(scene.hierarchy, scene.groups, scene.hierarchy.levels(), 0.3);
+  const NearHits hits(scene.hierarchy, scene.groups, scene.hierarchy.levels(), 0.3, 1);
   Task task;
   EXPECT_EQ(hits.arriving(Coefficients(scene.hierarchy), task).size(), 0U);
   EXPECT_EQ(hits.size(), 0U);
