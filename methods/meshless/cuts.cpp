@@ -15,10 +15,10 @@ namespace gibench::meshless {
 
 namespace {
 
-constexpr int directions = 4;          // around a point, evenly, turned by a random angle
-constexpr float elevation = 0.5F;      // of the rays: what is lower than half its distance is no wall
-constexpr float own_cosine = 0.5F;     // between normals of one surface that bends
-constexpr float across_cosine = 0.7F;  // between the planes of two walls that cut a ball both, at most
+constexpr int directions = 4;         // around a point, evenly, turned by a random angle
+constexpr float elevation = 0.5F;     // of the rays: what is lower than half its distance is no wall
+constexpr float own_cosine = 0.5F;    // between normals of one surface that bends
+constexpr float other_cosine = 0.7F;  // between the normals of two walls that cut a ball both, at most
 constexpr std::size_t point_chunk = 256;
 constexpr std::uint64_t turn_stage = 0x63757473ULL;
 
@@ -27,11 +27,11 @@ class NearestWalls {
  public:
   void meet(const Vec3& place, const Vec3& normal, float distance) {
     if (distance < distance_[0]) {
-      if (std::isfinite(distance_[0]) && stands_across(normal, cut_[0].normal)) cut_[1] = cut_[0], distance_[1] = distance_[0];
+      if (std::isfinite(distance_[0]) && faces_elsewhere(normal, cut_[0].normal)) cut_[1] = cut_[0], distance_[1] = distance_[0];
       cut_[0] = {normal, glm::dot(normal, place)};
       distance_[0] = distance;
-      if (!stands_across(cut_[1].normal, normal)) cut_[1] = {}, distance_[1] = std::numeric_limits<float>::infinity();
-    } else if (distance < distance_[1] && stands_across(normal, cut_[0].normal)) {
+      if (!faces_elsewhere(cut_[1].normal, normal)) cut_[1] = {}, distance_[1] = std::numeric_limits<float>::infinity();
+    } else if (distance < distance_[1] && faces_elsewhere(normal, cut_[0].normal)) {
       cut_[1] = {normal, glm::dot(normal, place)};
       distance_[1] = distance;
     }
@@ -39,7 +39,8 @@ class NearestWalls {
   const std::array<Cut, cuts_of_a_function>& cuts() const { return cut_; }
 
  private:
-  static bool stands_across(const Vec3& a, const Vec3& b) { return std::fabs(glm::dot(a, b)) < across_cosine; }
+  /// Walls that face each other, as in a gap, are two.
+  static bool faces_elsewhere(const Vec3& a, const Vec3& b) { return glm::dot(a, b) < other_cosine; }
 
   std::array<Cut, cuts_of_a_function> cut_{};
   std::array<float, cuts_of_a_function> distance_{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +67,35 @@ TEST(Cuts, ConfineFunctionsToTheirSideOfAWall) {
     EXPECT_EQ(scene.hierarchy.cut(point, 1).normal, Vec3(0.0F)) << "there is one wall";
   }
   EXPECT_GT(near_it, 20U);
+}
+
+TEST(Cuts, InAGapAreBothOfItsWalls) {
+  constexpr float gap = 0.03F;  // metres
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
+  builder.quad("floor", white, {{{0, 0, 0}, {0, 0, 1}, {2, 0, 1}, {2, 0, 0}}});
+  for (const float x : {1.0F, 1.0F + gap}) {
+    const std::array<Vec3, 4> corners{{{x, 0, 0}, {x, 0, 1}, {x, 1, 1}, {x, 1, 0}}};
+    builder.quad(x > 1.0F ? "right" : "left", white, corners, true);
+  }
+  test::BasisScene scene(builder.build("gap"), four_levels());
+  Task task;
+  cut_at_walls(scene.world, scene.hierarchy, 2, task);
+  std::size_t in_it = 0;
+  for (std::uint32_t point = scene.hierarchy.level_begin(2); point < scene.hierarchy.size(); ++point) {
+    const Vec3& at = scene.hierarchy.position(point);
+    const float radius = scene.hierarchy.radius(point), left = at.x - 1.0F, right = 1.0F + gap - at.x;
+    if (scene.hierarchy.normal(point).y < 0.5F || std::fabs(at.z - 0.5F) > 0.5F - radius) continue;
+    // As for one wall; of opposite rays, one meets each.
+    if (std::min(left, right) <= 0.0F || std::max(left, right) > 0.63F * radius) continue;
+    ++in_it;
+    const Cut &nearer = scene.hierarchy.cut(point, 0), &farther = scene.hierarchy.cut(point, 1);
+    for (const Cut& cut : {nearer, farther}) EXPECT_TRUE(cut.keeps(at));
+    const Vec3 beyond_left(0.999F, 0.0F, at.z), beyond_right(1.001F + gap, 0.0F, at.z);
+    EXPECT_FALSE((left < right ? nearer : farther).keeps(beyond_left));
+    EXPECT_FALSE((left < right ? farther : nearer).keeps(beyond_right));
+  }
+  EXPECT_GT(in_it, 10U);
 }
 
 TEST(Cuts, KeepLightFromLeakingThroughAWall) {
