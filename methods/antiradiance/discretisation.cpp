@@ -26,6 +26,8 @@ constexpr double coarser = 1.5;  // times, from one oracle to the next
 // At the peak, for each of the oracle's links: the table and the blocks it is put together from; with masks also the near
 // links' pieces and all links' directions (measured: README.md, Memory).
 constexpr double bytes_a_link = 20.0, bytes_a_masked_link = 52.0;
+// Tracing: the table before and after; of links that others are taken apart into, that after and a list that grows.
+constexpr double bytes_a_traced_link = 16.0, bytes_a_made_link = 32.0;
 constexpr int most_attempts = 24;
 constexpr float partial_share = 0.25F;  // of the tolerance: for links that other surfaces hide in part
 constexpr double krylov_vectors = 8.0;
@@ -99,9 +101,22 @@ Merging merging_of(const World& world, const SamplingMesh& mesh, const Settings&
              : Merging{};
 }
 
-TracingRule tracing_rule(const Settings& settings, float tolerance) {
+/// `bytes`: for all links. A tolerance of light says nothing about form factors: links made by it are left whole.
+TracingRule tracing_rule(const Settings& settings, const RefinementRule& made_by, std::size_t links, double bytes) {
+  const bool splits = settings.split_partial && made_by.radiosity.empty();
+  const double left = bytes - bytes_a_traced_link * static_cast<double>(links);
   return {settings.visibility_rays, settings.near_cells,
-          settings.split_partial ? partial_share * tolerance : std::numeric_limits<float>::infinity()};
+          splits ? partial_share * made_by.tolerance : std::numeric_limits<float>::infinity(),
+          static_cast<std::size_t>(std::max(0.0, left / bytes_a_made_link))};
+}
+
+/// Traces the links within the memory, and warns where they do not all have room to be taken apart.
+void trace_within(const World& world, const Discretisation& parts, const TracingRule& rule, Linking& linking, Task& task) {
+  const TracingCounts counts = trace_links(world, parts.elements, parts.hierarchy, rule, linking.links, task);
+  task.count("links_taken_apart", counts.taken_apart);
+  if (counts.left_whole > 0)
+    linking.warning += fmt::format("{}the memory budget left {} links whole that are free in part",
+                                   linking.warning.empty() ? "" : "; ", counts.left_whole);
 }
 
 bool looks_for_parted(const Settings& settings) { return settings.backface_rays > 0 && settings.mode != Mode::accessibility; }
@@ -277,8 +292,8 @@ Linking make_linking(const World& world, const Discretisation& parts, const Sett
 
   refine_factors(parts.elements, parts.hierarchy, settings.near_cells, linking.links, task);
   if (visibility == Visibility::traced)
-    task.count("links_taken_apart",
-               trace_links(world, parts.elements, parts.hierarchy, tracing_rule(settings, rule.tolerance), linking.links, task));
+    trace_within(world, parts, tracing_rule(settings, rule, linking.links.size(), settings.bytes_at_most() - fixed), linking,
+                 task);
   if (visibility == Visibility::nearest)
     linking.links = nearest_links(parts.hierarchy, linking.links, *linking.bins, settings.bin_winner, task);
   if (by_direction) {

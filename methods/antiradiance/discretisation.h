@@ -63,7 +63,7 @@ struct Linking {
   std::optional<DirectionBins> bins;  ///< only where light is kept by direction
   LinkTable links;
   float tolerance = 0.0F;  ///< that the links were made at
-  std::string warning;     ///< where it had to be coarser than asked for
+  std::string warning;     ///< where it had to be coarser than asked for, or links had to stay whole
   bool refused = false;    ///< no oracle keeps within the budget; `warning` says why
   std::size_t bytes() const { return links.bytes(); }
 };

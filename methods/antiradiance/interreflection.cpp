@@ -181,7 +181,7 @@ class Directions {
     }
     result.iterations += outcome.applications;
     BounceSeries series({{}, rule.most_iterations, rule.residual});
-    one_by_one(first, rule, series, rule.residual, sum, result);
+    one_by_one(first, rule, series, {rule.residual, true}, sum, result);
     const std::string how = outcome.message + " with all bounces at once";
     if (!succeeded(result.termination)) {
       result.message = fmt::format("{} ({}; bounce by bounce {})", why_not(), how, result.message);
@@ -195,13 +195,20 @@ class Directions {
 
   void bounded(Vector& arriving, const FixedPointRule& rule, int bounces, Vector& sum, Interreflection& result) {
     BounceSeries series = planned(bounces);
-    one_by_one(arriving, rule, series, negligible_bounce, sum, result);
+    one_by_one(arriving, rule, series, {negligible_bounce, false}, sum, result);
     if (succeeded(result.termination)) result.termination = Termination::bound_reached;
     if (result.message.empty()) result.message = as_planned(bounces);
   }
 
+  /// How closely bounces are solved for one by one.
+  struct BounceRule {
+    double negligible;  ///< the last bounce is at most this share of all
+    /// A bounce that is a small share of all light is solved for only so far that its residual is as small a share of all light.
+    bool loosens;
+  };
+
   /// Each bounce without what is hidden from it, before the next is made of it: until one is a negligible share of all.
-  void one_by_one(Vector& arriving, const FixedPointRule& rule, BounceSeries& series, double negligible, Vector& sum,
+  void one_by_one(Vector& arriving, const FixedPointRule& rule, BounceSeries& series, const BounceRule& how, Vector& sum,
                   Interreflection& result) {
     Vector bounce;
     double so_far = 0.0;
@@ -219,10 +226,11 @@ class Directions {
       const double size = total(fronts);
       so_far += size;
       const double share = so_far > 0.0 ? size / so_far : 0.0;
-      task_.progress(fmt::format("bounce {}", series.bounces()), progress_of(share, negligible), share);
-      if (size <= negligible * so_far) series.settle();
-      // The same of all light, of a bounce that is a smaller share of it from one to the next.
-      if (share > 0.0) own.residual = std::max(rule.residual, std::min(most_inner_residual, rule.residual / share));
+      task_.progress(fmt::format("bounce {}", series.bounces()), progress_of(share, how.negligible), share);
+      if (size <= how.negligible * so_far) series.settle();
+      // For the next bounce, which is a smaller share of all light than this one.
+      if (how.loosens && share > 0.0)
+        own.residual = std::max(rule.residual, std::min(most_inner_residual, rule.residual / share));
     }
   }
 

@@ -1,7 +1,7 @@
 #include "methods/antiradiance/link_tracing.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,7 +13,8 @@ namespace gibench::antiradiance {
 namespace {
 
 constexpr std::size_t node_chunk = 32;
-constexpr std::uint64_t link_stage = 0x6c696e6bULL;
+constexpr std::uint64_t link_stage = 0x6c696e6bULL, whole_stage = 0x77686f6c65ULL;
+constexpr std::size_t most_links = std::numeric_limits<std::uint32_t>::max();  // that rows can number
 
 std::size_t pick(float u, std::size_t count) {
   return std::min(count - 1, static_cast<std::size_t>(u * static_cast<float>(count)));
@@ -56,38 +57,59 @@ struct MadeLink {
 /// Traces links one by one, and takes them apart.
 class Tracer {
  public:
-  Tracer(const Elements& elements, const Hierarchy& hierarchy, const TracingRule& rule, std::uint64_t seed, RayStream& rays)
-      : elements_(elements), hierarchy_(hierarchy), rule_(rule), seed_(seed), rays_(rays) {}
+  /// `room`: for so many links that are made.
+  Tracer(const Elements& elements, const Hierarchy& hierarchy, const TracingRule& rule, std::size_t room, std::uint64_t seed,
+         RayStream& rays)
+      : elements_(elements), hierarchy_(hierarchy), rule_(rule), room_(room), seed_(seed), rays_(rays) {}
 
   /// What is left of the factor; none where the link was taken apart: then `made` has more links.
   float trace(std::uint32_t receiver, const Sender& sender, float factor, std::vector<MadeLink>& made) {
-    const std::uint64_t key = std::uint64_t{receiver} << 32U | sender.bits;
-    const float share =
-        free_share(elements_, hierarchy_, receiver, sender, rule_.rays, RandomStream(seed_, link_stage, key), rays_);
+    const float share = share_of(link_stage, receiver, sender);
     const Node &p = hierarchy_.nodes()[receiver], &q = hierarchy_.nodes()[sender.node()];
-    const bool partial = share > 0.0F && share < 1.0F && factor > rule_.most_partial;
-    if (!partial || (p.is_leaf() && q.is_leaf())) return factor * share;
-    ++taken_apart;
-    const bool splits_receiver = q.is_leaf() || (!p.is_leaf() && p.area > q.area);
-    const std::uint32_t parent = splits_receiver ? receiver : sender.node();
-    for (const std::uint32_t child : {parent + 1, hierarchy_.nodes()[parent].right})
-      trace_child(splits_receiver ? child : receiver, splits_receiver ? sender : Sender{child}, made);
+    const bool partial = share > 0.0F && share < 1.0F;
+    if (!(factor > rule_.most_partial) || (p.is_leaf() && q.is_leaf())) return factor * share;
+    if (room_ < 2) {
+      if (partial) ++counts.left_whole;
+      return factor * share;
+    }
+    // That all rays of a link were free, or none, is why it is kept: other rays have to say how much of it is free.
+    if (!partial) return factor * share_of(whole_stage, receiver, sender);
+    take_apart(receiver, sender, made);
     return 0.0F;
   }
 
-  std::size_t taken_apart = 0;
+  TracingCounts counts;
 
  private:
-  void trace_child(std::uint32_t receiver, const Sender& sender, std::vector<MadeLink>& made) {
+  float share_of(std::uint64_t stage, std::uint32_t receiver, const Sender& sender) {
+    const std::uint64_t key = std::uint64_t{receiver} << 32U | sender.bits;
+    return free_share(elements_, hierarchy_, receiver, sender, rule_.rays, RandomStream(seed_, stage, key), rays_);
+  }
+
+  /// At its larger end.
+  void take_apart(std::uint32_t receiver, const Sender& sender, std::vector<MadeLink>& made) {
+    ++counts.taken_apart;
+    room_ -= 2;
+    const Node &p = hierarchy_.nodes()[receiver], &q = hierarchy_.nodes()[sender.node()];
+    const bool splits_receiver = q.is_leaf() || (!p.is_leaf() && p.area > q.area);
+    const std::uint32_t parent = splits_receiver ? receiver : sender.node();
+    for (const std::uint32_t child : {parent + 1, hierarchy_.nodes()[parent].right})
+      if (!trace_child(splits_receiver ? child : receiver, splits_receiver ? sender : Sender{child}, made)) ++room_;
+  }
+
+  /// Whether a link was made of it that is whole.
+  bool trace_child(std::uint32_t receiver, const Sender& sender, std::vector<MadeLink>& made) {
     const float whole = node_exchange(elements_, hierarchy_, rule_.cells, receiver, sender) / hierarchy_.nodes()[receiver].area;
-    if (!(whole > 0.0F)) return;
+    if (!(whole > 0.0F)) return false;
     const float factor = trace(receiver, sender, whole, made);
     if (factor > 0.0F) made.push_back({receiver, sender, factor});
+    return factor > 0.0F;
   }
 
   const Elements& elements_;
   const Hierarchy& hierarchy_;
   const TracingRule& rule_;
+  std::size_t room_;
   std::uint64_t seed_;
   RayStream& rays_;
 };
@@ -118,20 +140,28 @@ LinkTable put_together(const LinkTable& links, std::span<const std::vector<MadeL
 
 }  // namespace
 
-std::size_t trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, const TracingRule& rule,
-                        LinkTable& links, Task& task) {
+TracingCounts trace_links(const World& world, const Elements& elements, const Hierarchy& hierarchy, const TracingRule& rule,
+                          LinkTable& links, Task& task) {
   std::vector<std::vector<MadeLink>> made(chunk_count(hierarchy.size(), node_chunk));
-  std::vector<std::size_t> taken_apart(made.size(), 0);
+  std::vector<TracingCounts> counts(made.size());
+  const double room_a_link = links.size() > 0 ? static_cast<double>(std::min(rule.most_made, most_links - links.size())) /
+                                                    static_cast<double>(links.size())
+                                              : 0.0;
   task.parallel_chunks(hierarchy.size(), node_chunk, [&](const ChunkRange& range) {
     RayStream rays = task.rays(world);
-    Tracer tracer(elements, hierarchy, rule, task.seed(), rays);
+    const auto room_before = [&](std::size_t node) {
+      return static_cast<std::size_t>(room_a_link * static_cast<double>(links.row_begin[node]));
+    };
+    Tracer tracer(elements, hierarchy, rule, room_before(range.end) - room_before(range.begin), task.seed(), rays);
     for (auto p = static_cast<std::uint32_t>(range.begin); p < range.end; ++p)
       for (std::uint32_t link = links.row_begin[p]; link < links.row_begin[p + 1]; ++link)
         links.factors[link] = tracer.trace(p, links.senders[link], links.factors[link], made[range.chunk]);
-    taken_apart[range.chunk] = tracer.taken_apart;
+    counts[range.chunk] = tracer.counts;
   });
   links = put_together(links, made);
-  return std::accumulate(taken_apart.begin(), taken_apart.end(), std::size_t{0});
+  TracingCounts sum;
+  for (const TracingCounts& chunk : counts) sum.taken_apart += chunk.taken_apart, sum.left_whole += chunk.left_whole;
+  return sum;
 }
 
 }  // namespace gibench::antiradiance

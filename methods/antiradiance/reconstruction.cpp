@@ -14,6 +14,32 @@ constexpr float beside = 0.1F;         // of the cell's extent: a mean further t
 constexpr float fewest_of_own = 0.5F;  // of a mean's weights, below which the vertex cannot be derived from it
 constexpr int sweeps = 4;
 
+/// Whether a sample sees the element of a corner, or of merged ones the corner.
+class Seen {
+ public:
+  Seen(const World& world, const SamplingMesh& mesh, const Elements& elements, const SurfaceSample& sample, RayStream& rays)
+      : world_(world), mesh_(mesh), elements_(elements), rays_(rays), face_{sample.face} {
+    here_.origin = world.ray_origin(sample);
+    here_.normal = sample.normal;
+  }
+  bool operator()(const Reconstruction::Place& place, std::size_t k) const {
+    if (elements_.merging().merges())
+      return nothing_between(world_, here_, corner_point(world_, mesh_, place.triangle, k), face_, rays_);
+    const auto points = elements_.points(place.vertices[k]);
+    return std::any_of(points.begin(), points.end(), [&](const CellPoint& point) {
+      return point.exposed && nothing_between(world_, here_, point, face_, rays_);
+    });
+  }
+
+ private:
+  const World& world_;
+  const SamplingMesh& mesh_;
+  const Elements& elements_;
+  RayStream& rays_;
+  CellPoint here_;
+  std::array<std::uint32_t, 1> face_;
+};
+
 float within(float value, float mean) {
   return mean >= 0.0F ? std::clamp(value, 0.0F, 2.0F * mean) : std::clamp(value, 2.0F * mean, 0.0F);
 }
@@ -82,24 +108,25 @@ Reconstruction::Reconstruction(const World& world, const SamplingMesh& mesh, con
 
 bool Reconstruction::leave_hidden_out(const World& world, const SamplingMesh& mesh, const Elements& elements,
                                       const SurfaceSample& sample, RayStream& rays, Place& place) {
-  CellPoint here;
-  here.origin = world.ray_origin(sample);
-  here.normal = sample.normal;
-  const std::array<std::uint32_t, 1> face{sample.face};
-  const auto sees = [&](std::size_t k) {
-    if (elements.merging().merges())
-      return nothing_between(world, here, corner_point(world, mesh, place.triangle, k), face, rays);
-    const auto points = elements.points(place.vertices[k]);
-    return std::any_of(points.begin(), points.end(),
-                       [&](const CellPoint& point) { return point.exposed && nothing_between(world, here, point, face, rays); });
-  };
+  const Seen sees(world, mesh, elements, sample, rays);
   std::array<float, 3> seen{};
   float sum = 0.0F;
   for (std::size_t k = 0; k < 3; ++k)
-    if (place.weights[k] > 0.0F && sees(k)) seen[k] = place.weights[k], sum += seen[k];
+    if (place.weights[k] > 0.0F && sees(place, k)) seen[k] = place.weights[k], sum += seen[k];
   if (!(sum > 0.0F)) return false;
   for (std::size_t k = 0; k < 3; ++k) place.weights[k] = seen[k] / sum;
   return true;
+}
+
+std::optional<std::size_t> Reconstruction::heaviest_seen(const World& world, const SamplingMesh& mesh, const Elements& elements,
+                                                         const SurfaceSample& sample, RayStream& rays, Place place) {
+  const Seen sees(world, mesh, elements, sample, rays);
+  while (place.covered()) {
+    const auto k = static_cast<std::size_t>(std::max_element(place.weights.begin(), place.weights.end()) - place.weights.begin());
+    if (sees(place, k)) return k;
+    place.weights[k] = 0.0F;
+  }
+  return std::nullopt;
 }
 
 std::vector<Rgb> Reconstruction::vertex_values(std::span<const Rgb> means) const {

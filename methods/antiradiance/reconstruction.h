@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -43,6 +44,9 @@ class Reconstruction {
   /// where it hides all, and returns false.
   static bool leave_hidden_out(const World& world, const SamplingMesh& mesh, const Elements& elements,
                                const SurfaceSample& sample, RayStream& rays, Place& place);
+  /// The heaviest corner (0, 1 or 2) of a place that no other surface hides from the sample; none where all are hidden.
+  static std::optional<std::size_t> heaviest_seen(const World& world, const SamplingMesh& mesh, const Elements& elements,
+                                                  const SurfaceSample& sample, RayStream& rays, Place place);
   static Place place(const World& world, const SamplingMesh& mesh, const Elements& elements, const SurfaceSample& sample);
 
  private:

@@ -37,9 +37,10 @@ const ParameterTable<Settings>& table() {
       parameter("tolerance", &Settings::tolerance, 1e-5, 1.0,
                 "largest form factor (times relative radiosity and area) of an accepted link"),
       parameter("visibility_rays", &Settings::visibility_rays, 1, 4096, "rays per link, in radiosity mode"),
-      parameter("split_partial", &Settings::split_partial,
-                "radiosity: links of several elements that rays find free in part are taken apart; false: as in the text, their "
-                "factor is multiplied by the free share"),
+      parameter(
+          "split_partial", &Settings::split_partial,
+          "radiosity with oracle=geometry: links of several elements that rays find free in part are taken apart; false: as "
+          "in the text, their factor is multiplied by the free share"),
       parameter("closure_rays", &Settings::closure_rays, 0, 65536,
                 "rays of an element that measure what its form factors must sum to; 0: they are only kept to one at most"),
       parameter("bins", &Settings::bins, 4, 128, "directional bins along a side of the map of the sphere: n means n² bins; even"),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,14 +58,12 @@ std::uint32_t element_met(const World& world, const SamplingMesh& mesh, const El
   const bool front = glm::dot(seen.normal, world.normal(seen.triangle)) >= 0.0F;
   const bool side = mesh.covers(seen.triangle, front) ? front : !front;
   if (!mesh.covers(seen.triangle, side)) return no_element;
-  MeshPoint at = mesh.locate(seen.triangle, seen.barycentrics, side);
-  if (rule.is_parted(at.triangle) && side == front) {
-    Reconstruction::Place place = Reconstruction::place(world, mesh, elements, seen);
-    if (!place.covered() || !Reconstruction::leave_hidden_out(world, mesh, elements, seen, rays, place)) return no_element;
-    at.weights = place.weights;
-  }
-  const auto nearest = std::max_element(at.weights.begin(), at.weights.end()) - at.weights.begin();
-  return elements.of_vertex(mesh.triangles()[at.triangle].corners[static_cast<std::size_t>(nearest)]);
+  const MeshPoint at = mesh.locate(seen.triangle, seen.barycentrics, side);
+  std::optional<std::size_t> nearest = std::max_element(at.weights.begin(), at.weights.end()) - at.weights.begin();
+  if (rule.is_parted(at.triangle) && side == front)
+    nearest =
+        Reconstruction::heaviest_seen(world, mesh, elements, seen, rays, Reconstruction::place(world, mesh, elements, seen));
+  return nearest ? elements.of_vertex(mesh.triangles()[at.triangle].corners[*nearest]) : no_element;
 }
 
 }  // namespace

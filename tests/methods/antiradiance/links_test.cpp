@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +10,6 @@
 #include "methods/antiradiance/accessibility.h"
 #include "methods/antiradiance/discretisation.h"
 #include "methods/antiradiance/interreflection.h"
-#include "methods/antiradiance/link_tracing.h"
 #include "methods/antiradiance/patch_transport.h"
 #include "methods/antiradiance/refinement.h"
 
@@ -130,87 +127,6 @@ TEST(Links, WhoseSumsDoNotConvergeAreReported) {
   EXPECT_EQ(closure.termination, Termination::not_converged);
   EXPECT_TRUE(closure.factors.empty());
   EXPECT_NE(closure.message.find("most_iterations"), std::string::npos) << closure.message;
-}
-
-/// A small bright-side sender of many tiny elements in view, and a large element that a plate hides.
-struct HiddenSender {
-  HiddenSender() {
-    made::SceneBuilder builder;
-    const std::uint32_t white = builder.diffuse("white", Rgb(0.5F));
-    builder.quad("receiver", white, {{{-0.1F, 0.0F, 0.1F}, {0.1F, 0.0F, 0.1F}, {0.1F, 0.0F, -0.1F}, {-0.1F, 0.0F, -0.1F}}});
-    // Seen from above: one of 1 m² on the left, behind the plate; twenty-five of 1 cm² on the right.
-    std::vector<Vec3> corners;
-    std::vector<std::array<std::uint32_t, 4>> faces;
-    const auto add = [&](float x, float z, float size) {
-      const auto first = static_cast<std::uint32_t>(corners.size());
-      for (const Vec3& corner :
-           {Vec3(x, 2.0F, z), Vec3(x + size, 2.0F, z), Vec3(x + size, 2.0F, z + size), Vec3(x, 2.0F, z + size)})
-        corners.push_back(corner);
-      faces.push_back({first, first + 1, first + 2, first + 3});
-    };
-    add(-1.5F, -0.5F, 1.0F);
-    for (int i = 0; i < 25; ++i) add(0.5F + 0.02F * static_cast<float>(i % 5), 0.02F * static_cast<float>(i / 5), 0.01F);
-    builder.object("sender", white, corners, faces);
-    builder.quad("plate", white, {{{-1.7F, 1.9F, 0.7F}, {-0.3F, 1.9F, 0.7F}, {-0.3F, 1.9F, -0.7F}, {-1.7F, 1.9F, -0.7F}}}, true);
-    world.emplace(builder.build("hidden sender"));
-  }
-  std::optional<World> world;
-};
-
-/// One link from a node over the large square and some of the small ones to one of the receiver.
-struct LinkFromHidden {
-  LinkFromHidden() : parts(*scene.world, settings({{"elements", "20"}, {"closure_rays", "0"}, {"merge", "false"}}), task) {
-    const auto node_of = [&](std::uint32_t sheet) {
-      const auto nodes = parts.hierarchy.nodes();
-      for (std::uint32_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].sheet == sheet) return i;
-      return no_element;
-    };
-    const std::uint32_t receiver = node_of(0);
-    sender = node_of(2);
-    for (std::uint32_t i = 0; i <= parts.hierarchy.size(); ++i) links.row_begin.push_back(i <= receiver ? 0 : 1);
-    links.senders.push_back({sender});
-    links.factors.push_back(1.0F);
-  }
-  std::size_t trace(float most_partial) {
-    return trace_links(*scene.world, parts.elements, parts.hierarchy, {4096, true, most_partial}, links, task);
-  }
-  HiddenSender scene;
-  Task task;
-  Discretisation parts;
-  LinkTable links;
-  std::uint32_t sender = 0;
-};
-
-TEST(Links, VisibilityIsAShareOfAreaNotOfElements) {
-  LinkFromHidden made;
-  EXPECT_EQ(made.trace(std::numeric_limits<float>::infinity()), 0U);
-  const auto& [scene, task, parts, links, sender] = made;
-  const Node& node = parts.hierarchy.nodes()[sender];
-  float free = 0.0F, elements = 0.0F;
-  for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf) {
-    const Disc& disc = parts.elements.disc(parts.hierarchy.order()[leaf]);
-    if (disc.centre.x > 0.0F) free += disc.area, elements += 1.0F;
-  }
-  const float share = free / node.area;
-  ASSERT_GT(elements, 20.0F);
-  ASSERT_LT(share, 0.01F);
-  // Of 4096 rays; none of them free would take out the link.
-  const float seen = links.size() == 1 ? links.factors[0] : 0.0F;
-  EXPECT_NEAR(seen, share, 4.0F * std::sqrt(share / 4096.0F));
-}
-
-/// What is hidden sends nothing, and what is free is linked by itself, wholly.
-TEST(Links, FreeInPartAreTakenApart) {
-  LinkFromHidden made;
-  EXPECT_GT(made.trace(0.0F), 0U);
-  ASSERT_GT(made.links.size(), 0U);
-  for (std::size_t link = 0; link < made.links.size(); ++link) {
-    const Node& node = made.parts.hierarchy.nodes()[made.links.senders[link].node()];
-    EXPECT_LT(node.area, 0.01F * made.parts.hierarchy.nodes()[made.sender].area);
-    for (std::uint32_t leaf = node.begin; leaf < node.end; ++leaf)
-      EXPECT_GT(made.parts.elements.disc(made.parts.hierarchy.order()[leaf]).centre.x, 0.0F);
-  }
 }
 
 /// Tiles on a floor and on a ceiling, of one object, or an object each.
