@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "common/method/method_session.h"
 #include "common/scene/made_scenes.h"
 #include "common/scene/tessellate.h"
+#include "tests/methods/meshless/basis_scene.h"
 #include "tests/methods/meshless/solved.h"
 
 namespace gibench::test {
@@ -140,19 +142,29 @@ TEST(Meshless, OneGatherServesAllBounces) {
   EXPECT_EQ(two.lit.counters["closest_hit_rays"], many.lit.counters["closest_hit_rays"]);
 }
 
+/// Points of the last level whose functions reach no point of the level before: no refinement asks for them.
+std::size_t out_of_reach(const meshless::Hierarchy& hierarchy) {
+  const std::uint32_t last = hierarchy.levels() - 1;
+  std::set<std::uint32_t> reached;
+  for (std::uint32_t point = hierarchy.level_begin(last - 1); point < hierarchy.level_begin(last); ++point)
+    hierarchy.visit_uncut(last, hierarchy.place(point), [&](std::uint32_t child, float) { reached.insert(child); });
+  return hierarchy.level_size(last) - reached.size();
+}
+
 TEST(Meshless, FineGathersTakeFewerRaysWhereThresholdsGrow) {
   made::SceneBuilder builder;
   builder.room("room", builder.diffuse("grey", Rgb(0.5F)), {0, 0, 0}, {1, 1, 1});
   builder.light(PointLight{{0.4F, 0.6F, 0.5F}, Rgb(1.0F)});
   const Scene scene = builder.build("room");
-  const auto solved = [&](const char* growth) {
-    // Every point gathers: with 512 rays on both fine levels, or 294 on the last.
-    return Solved(
-        scene, 1,
-        {{"levels", "4"}, {"coarsest_samples", "50"}, {"epsilon_E", "0"}, {"noise_guard", "0"}, {"level_growth", growth}});
+  const auto setting = [](const char* growth) {
+    return Setting{
+        {"levels", "4"}, {"coarsest_samples", "50"}, {"epsilon_E", "0"}, {"noise_guard", "0"}, {"level_growth", growth}};
   };
-  Solved even = solved("1"), falling = solved("2");
-  EXPECT_EQ(even.lit.counters["samples_gathered"], even.prepared.counters["samples"]);
+  // Every point gathers that is in reach: with 512 rays on both fine levels, or 294 on the last.
+  Solved even(scene, 1, setting("1")), falling(scene, 1, setting("2"));
+  const meshless::test::BasisScene basis(scene, meshless::settings_from(Parameters(meshless::settings_schema(), setting("1"))));
+  ASSERT_EQ(even.prepared.counters["samples"], basis.hierarchy.size());
+  EXPECT_EQ(even.lit.counters["samples_gathered"], basis.hierarchy.size() - out_of_reach(basis.hierarchy));
   EXPECT_EQ(even.lit.counters["samples_gathered"], falling.lit.counters["samples_gathered"]);
   EXPECT_LT(falling.lit.counters["closest_hit_rays"], even.lit.counters["closest_hit_rays"] * 17 / 20);
   const auto [apart, bias] = difference(falling, even, 500);
