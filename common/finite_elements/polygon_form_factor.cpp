@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "common/core/error.h"
+
 namespace gibench {
 
 namespace {
@@ -29,7 +31,8 @@ std::size_t clip_to_hemisphere(const Vec3& normal, std::span<const Vec3> corners
 
 float polygon_form_factor(const Vec3& point, const Vec3& normal, std::span<const Vec3> corners) {
   std::array<Vec3, most_corners> relative{};
-  const std::size_t given = std::min(corners.size(), most_corners);
+  const std::size_t given = corners.size();
+  GIBENCH_CHECK(given <= most_corners, "a polygon has at most 6 corners");
   for (std::size_t i = 0; i < given; ++i) relative[i] = corners[i] - point;
   std::array<Vec3, most_corners + 1> kept{};
   const std::size_t count = clip_to_hemisphere(normal, std::span(relative).first(given), kept);
@@ -37,7 +40,7 @@ float polygon_form_factor(const Vec3& point, const Vec3& normal, std::span<const
   float sum = 0.0F;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 &a = kept[i], &b = kept[(i + 1) % count];
-    const Vec3 across = glm::cross(a, b);
+    const Vec3 across = glm::cross(a, b - a);  // of nearly parallel a and b their own product would lose its digits
     const float length = glm::length(across);
     // The point on the edge itself: the edge's plane holds no angle about the normal.
     if (!(length > 0.0F)) continue;

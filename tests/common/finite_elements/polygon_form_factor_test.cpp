@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/core/error.h"
+
 namespace gibench {
 namespace {
 
@@ -23,6 +25,29 @@ TEST(PolygonFormFactor, ClipsToTheHemisphere) {
   const std::array<Vec3, 4> wall{Vec3(1e-3F, -1e3F, -1e3F), Vec3(1e-3F, 1e3F, -1e3F), Vec3(1e-3F, 1e3F, 1e3F),
                                  Vec3(1e-3F, -1e3F, 1e3F)};
   EXPECT_NEAR(polygon_form_factor(Vec3(0.0F), {0.0F, 0.0F, 1.0F}, wall), 0.5F, 1e-3F);
+}
+
+TEST(PolygonFormFactor, KeepsItsDigitsOfWhatIsFarAway) {
+  // A square of a thousandth at distance one, turned about the ray to it: area times cosine over pi.
+  for (int step = 0; step < 32; ++step) {
+    const float turn = 0.1F * static_cast<float>(step), side = 1e-3F;
+    const Vec3 middle = glm::normalize(Vec3(0.3F, -0.2F, 0.9F)), across = glm::normalize(glm::cross(middle, Vec3(0, 1, 0)));
+    const Vec3 up = glm::cross(middle, across);
+    const Vec3 u = 0.5F * side * (std::cos(turn) * across + std::sin(turn) * up),
+               v = 0.5F * side * (std::cos(turn) * up - std::sin(turn) * across);
+    const std::array<Vec3, 4> square{middle - u - v, middle + u - v, middle + u + v, middle - u + v};
+    const float expected = side * side * middle.z / pi;
+    EXPECT_NEAR(polygon_form_factor(Vec3(0.0F), {0.0F, 0.0F, 1.0F}, square), expected, 2e-3F * expected) << turn;
+  }
+}
+
+TEST(PolygonFormFactor, RefusesMoreThanSixCorners) {
+  std::array<Vec3, 7> corners{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const float angle = 2.0F * pi * static_cast<float>(i) / 7.0F;
+    corners[i] = {std::cos(angle), std::sin(angle), 1.0F};
+  }
+  EXPECT_THROW(polygon_form_factor(Vec3(0.0F), {0.0F, 0.0F, 1.0F}, corners), CheckFailed);
 }
 
 }  // namespace
