@@ -7,6 +7,7 @@
 
 #include "common/core/random.h"
 #include "common/core/sampling.h"
+#include "common/effects/sealed.h"
 
 namespace gibench::wavelet {
 
@@ -15,21 +16,47 @@ namespace {
 constexpr std::uint64_t closure_stage = 0x77636c6f73ULL;
 constexpr std::size_t leaf_chunk = 32, node_chunk = 64;
 constexpr int iterations = 8;
-constexpr float most_raised = 1.5F;
+constexpr double most_open = 1e-4;   // of all leaves' rays in a closed scene: rounding at edges
+constexpr float most_raised = 1.5F;  // factor of a leaf; it is lowered as far as it takes
 
-/// Whether each of a leaf's rays meets a lit side.
-bool is_closed_in(const World& world, const Elements& elements, std::uint32_t leaf, int count, std::uint64_t seed,
-                  RayStream& rays) {
+/// The share of a leaf's rays that meet no lit side.
+float open_share(const World& world, const Elements& elements, std::uint32_t leaf, int count, std::uint64_t seed,
+                 RayStream& rays) {
   RandomStream random(seed, closure_stage, leaf);
+  int open = 0;
   for (int ray = 0; ray < count; ++ray) {
     const NodePoint& point = elements.points(leaf)[static_cast<std::size_t>(ray) % points_a_node];
     const float x = random.next_float(), y = random.next_float();
     if (!(point.area > 0.0F)) continue;
     const Vec3 direction = Frame(elements.element_of(leaf).normal).to_world(cosine_hemisphere({x, y}));
     const Hit hit = rays.closest_hit({elements.origin(leaf, point), 0.0F, direction});
-    if (!hit || !world.sample_of_hit(hit, direction).lit_side) return false;
+    if (!hit || !world.sample_of_hit(hit, direction).lit_side) ++open;
   }
-  return true;
+  return static_cast<float>(open) / static_cast<float>(count);
+}
+
+/// Leaves from which no ray goes out. A leaf's own rays miss a small opening, and light that it lets out is not to be given back:
+/// there are none unless the whole scene is closed, proven or by the rays of all leaves.
+std::vector<std::uint8_t> closed_leaves(const World& world, const Elements& elements, int rays, Task& task) {
+  const std::span leaves = elements.leaves();
+  std::vector<std::uint8_t> closed(leaves.size(), 0);
+  if (rays == 0) return closed;
+  std::vector<float> open(leaves.size(), 0.0F);
+  task.parallel_chunks(leaves.size(), leaf_chunk, [&](const ChunkRange& range) {
+    RayStream stream = task.rays(world);
+    for (std::size_t leaf = range.begin; leaf < range.end; ++leaf)
+      open[leaf] = open_share(world, elements, leaves[leaf], rays, task.seed(), stream);
+  });
+  double going_out = 0.0, all = 0.0;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    const auto area = static_cast<double>(elements.nodes()[leaves[leaf]].area);
+    going_out += area * static_cast<double>(open[leaf]);
+    all += area;
+  }
+  if (going_out > most_open * all && !is_sealed(world)) return closed;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    closed[leaf] = elements.nodes()[leaves[leaf]].area > 0.0F && !(open[leaf] > 0.0F) ? 1 : 0;
+  return closed;
 }
 
 /// Means over all nodes, by area.
@@ -93,15 +120,7 @@ std::vector<float> uniform_response(const Elements& elements, const Blocks& bloc
 
 float hold_to_sums(const World& world, const Elements& elements, int rays, Blocks& blocks, Task& task) {
   const std::span leaves = elements.leaves();
-  std::vector<std::uint8_t> closed(leaves.size(), 0);
-  task.parallel_chunks(rays > 0 ? leaves.size() : 0, leaf_chunk, [&](const ChunkRange& range) {
-    RayStream stream = task.rays(world);
-    for (std::size_t leaf = range.begin; leaf < range.end; ++leaf)
-      closed[leaf] =
-          elements.nodes()[leaves[leaf]].area > 0.0F && is_closed_in(world, elements, leaves[leaf], rays, task.seed(), stream)
-              ? 1
-              : 0;
-  });
+  const std::vector<std::uint8_t> closed = closed_leaves(world, elements, rays, task);
   task.count("closed_leaves", static_cast<std::uint64_t>(std::count(closed.begin(), closed.end(), 1)));
   std::vector<float> factor(leaves.size(), 1.0F), of_nodes;
   float worst = 0.0F;
@@ -112,9 +131,8 @@ float hold_to_sums(const World& world, const Elements& elements, int rays, Block
     for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
       if (!(response[leaf] > 0.0F)) continue;
       const float wanted = closed[leaf] != 0 ? 1.0F : std::min(1.0F, response[leaf]);
-      if (closed[leaf] != 0) worst = std::max(worst, std::fabs(1.0F - response[leaf]));
-      if (iteration < iterations)
-        factor[leaf] = std::clamp(factor[leaf] * std::sqrt(wanted / response[leaf]), 1.0F / most_raised, most_raised);
+      worst = std::max(worst, std::fabs(wanted - response[leaf]));
+      if (iteration < iterations) factor[leaf] = std::min(factor[leaf] * std::sqrt(wanted / response[leaf]), most_raised);
     }
   }
   blocks.scale(elements, of_nodes, task);

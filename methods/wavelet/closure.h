@@ -7,10 +7,11 @@
 
 namespace gibench::wavelet {
 
-/// Under radiosity one everywhere, a leaf from which rays meet nothing but lit sides gets exactly one, and no leaf gets more.
-/// Quadrature and sampled visibility miss that by a little, which many bounces between bright walls make large: so every block is
-/// multiplied by a factor of each of its ends, found by iteration, the same for light either way. `rays`: of every leaf; 0: no
-/// leaf counts as closed in. Counts `closed_leaves`; returns the largest share by which a closed leaf is off at the end.
+/// Under radiosity one everywhere, a leaf of a closed scene from which rays meet nothing but lit sides gets exactly one, and no
+/// leaf gets more: an opening may be too small for the rays of any leaf. Quadrature and sampled visibility miss that by a little,
+/// which many bounces between bright walls make large: so every block is multiplied by a factor of each of its ends, found by
+/// iteration, the same for light either way. `rays`: of every leaf; 0: no leaf counts as closed in. Counts `closed_leaves`;
+/// returns by how much a leaf is off at most at the end.
 float hold_to_sums(const World& world, const Elements& elements, int rays, Blocks& blocks, Task& task);
 
 /// Irradiance on the leaves under radiosity one everywhere.

@@ -24,21 +24,23 @@ struct View {
   Four exchange{};  ///< m²
 };
 
-float factor_at(const Vec3& point, const Vec3& normal, const Node& other, const Vec3& other_normal) {
-  if (glm::dot(point - other.patch.corners[0], other_normal) <= 0.0F) return 0.0F;
+/// Nothing from the plane of the other element itself, where rounding alone would tell in front from behind.
+float factor_at(const Vec3& point, const Vec3& normal, const Node& other, const Element& other_element) {
+  if (glm::dot(point - other.patch.corners[0], other_element.normal) <= other_element.offset) return 0.0F;
   return polygon_form_factor(point, normal, std::span(other.patch.corners).first(other.patch.corner_count()));
 }
 
 View view_of(const Elements& elements, std::uint32_t from, std::uint32_t to, bool near) {
   const Node &node = elements.nodes()[from], &other = elements.nodes()[to];
-  const Vec3 &normal = elements.element_of(from).normal, &other_normal = elements.element_of(to).normal;
+  const Vec3& normal = elements.element_of(from).normal;
+  const Element& other_element = elements.element_of(to);
   const std::span points = elements.points(from);
   const float other_area = other.patch.area(), exposed = other_area > 0.0F ? other.area / other_area : 0.0F;
   const auto parts = node.patch.parts();
   View view;
   for (std::size_t child = 0; child < child_count; ++child) {
     if (!near) {
-      const float factor = exposed * factor_at(parts[child].middle(), normal, other, other_normal);
+      const float factor = exposed * factor_at(parts[child].middle(), normal, other, other_element);
       float area = 0.0F;
       for (std::size_t i = 0; i < child_count; ++i) area += points[child * child_count + i].area;
       view.exchange[child] = area * factor;
@@ -47,7 +49,7 @@ View view_of(const Elements& elements, std::uint32_t from, std::uint32_t to, boo
     }
     const auto cells = parts[child].parts();
     for (std::size_t i = 0; i < child_count; ++i) {
-      const float factor = exposed * factor_at(cells[i].middle(), normal, other, other_normal);
+      const float factor = exposed * factor_at(cells[i].middle(), normal, other, other_element);
       view.exchange[child] += points[child * child_count + i].area * factor;
       view.factor[view.places++] = factor;
     }
@@ -79,9 +81,9 @@ struct Kernel::Sight {
   float tried() const { return sum_of(receiver_tried); }
   float free() const { return sum_of(receiver_free); }
   bool mixed() const { return free() > 0.0F && free() < tried(); }
-  /// Where no ray of a child was tried it is as open as all.
-  static Four open(const Four& tried, const Four& free) {
-    const float all = sum_of(tried), share = all > 0.0F ? sum_of(free) / all : 1.0F;
+  /// Where no ray of a child was tried it is as open as all; `untried`: how open that is where none was tried at all.
+  static Four open(const Four& tried, const Four& free, float untried) {
+    const float all = sum_of(tried), share = all > 0.0F ? sum_of(free) / all : untried;
     Four result{};
     for (std::size_t i = 0; i < child_count; ++i) result[i] = tried[i] > 0.0F ? free[i] / tried[i] : share;
     return result;
@@ -98,8 +100,9 @@ Exchange Kernel::between(std::uint32_t receiver, std::uint32_t sender, RayStream
   const View here = view_of(elements_, receiver, sender, near), there = view_of(elements_, sender, receiver, near);
   if (!(sum_of(here.exchange) > 0.0F) && !(sum_of(there.exchange) > 0.0F)) return result;
   const Sight sight = options_.tests_visibility ? look(receiver, sender, rays) : Sight{};
-  const Four open_here = Sight::open(sight.receiver_tried, sight.receiver_free),
-             open_there = Sight::open(sight.sender_tried, sight.sender_free);
+  const float untried = options_.tests_visibility ? 0.0F : 1.0F;  // points that all face away see nothing of each other
+  const Four open_here = Sight::open(sight.receiver_tried, sight.receiver_free, untried),
+             open_there = Sight::open(sight.sender_tried, sight.sender_free, untried);
   for (std::size_t i = 0; i < child_count; ++i) {
     result.receiver[i] = here.exchange[i] * open_here[i];
     result.sender[i] = there.exchange[i] * open_there[i];
@@ -107,8 +110,8 @@ Exchange Kernel::between(std::uint32_t receiver, std::uint32_t sender, RayStream
   const float to_receiver = std::sqrt(to.area / from.area), to_sender = 1.0F / to_receiver;
   const float sum_here = sum_of(result.receiver), sum_there = sum_of(result.sender);
   if (!(sum_here > 0.0F && sum_there > 0.0F)) {
-    // Of the rays that were tried one may have been missed.
-    const float missed = sight.tried() > 0.0F ? 1.0F / sight.tried() : 0.0F;
+    // Of the rays that were tried one may have been missed; where none was tried, all.
+    const float missed = options_.tests_visibility ? 1.0F / std::max(1.0F, sight.tried()) : 0.0F;
     result.receiver_spread = missed * largest_of(here) * to_receiver;
     result.sender_spread = missed * largest_of(there) * to_sender;
     return result;

@@ -139,6 +139,69 @@ TEST(WaveletOperator, TouchingAndCrossingSurfacesGiveFiniteBoundedLinks) {
   }
 }
 
+/// Both lie in one plane, in which rounding alone tells front from back.
+TEST(WaveletOperator, BothSidesOfATiltedSheetGiveEachOtherNothing) {
+  for (const float tilt : {0.1F, 0.37F, 0.9F, 1.3F})
+    for (const Vec3& at : {Vec3(0.0F), Vec3(7.3F, -2.1F, 5.7F)}) {
+      made::SceneBuilder builder;
+      const Vec3 u(std::cos(tilt), std::sin(tilt), 0.31F), v(-0.2F * std::sin(tilt), 0.2F * std::cos(tilt), 0.7F);
+      builder.quad("sheet", builder.diffuse("white", Rgb(0.8F)), {{at, at + u, at + u + v, at + v}}, true);
+      Made made(builder.build("sheet"), 0.01, 0.0, 0.0);
+      EXPECT_EQ(made.blocks.size(), 0U);
+      for (const Rgb& value : made.transported(std::vector<Rgb>(made.elements.leaves().size(), Rgb(1.0F))))
+        EXPECT_EQ(value.g, 0.0F);
+    }
+}
+
+/// A unit cube with a square in its ceiling, which is black or missing: light finds no difference.
+Scene room_with_window(bool is_open, float side, float albedo) {
+  made::SceneBuilder builder;
+  const std::uint32_t white = builder.diffuse("white", Rgb(albedo)), black = builder.diffuse("black", Rgb(0.0F));
+  const float low = 0.5F - 0.5F * side, high = 0.5F + 0.5F * side;
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 0, 1},     {0, 0, 1},      {0, 1, 0},       {1, 1, 0},
+                                  {1, 1, 1}, {0, 1, 1}, {low, 1, low}, {high, 1, low}, {high, 1, high}, {low, 1, high}};
+  builder.object("room", white, corners,
+                 {{0, 3, 2, 1},
+                  {0, 1, 5, 4},
+                  {1, 2, 6, 5},
+                  {2, 3, 7, 6},
+                  {3, 0, 4, 7},
+                  {4, 5, 9, 8},
+                  {5, 6, 10, 9},
+                  {6, 7, 11, 10},
+                  {7, 4, 8, 11}});
+  if (!is_open) builder.object("window", black, corners, {{8, 9, 10, 11}});
+  return builder.build("window");
+}
+
+/// All indirect light, W, of even direct light on what is white.
+double indirect_of(Scene scene, float albedo) {
+  Made made(std::move(scene), 0.01, 0.002, 0.002);
+  hold_to_sums(made.world, made.elements, 64, made.blocks, made.task);
+  made.made = make_operator(made.elements, made.blocks, 0.0, Precision::bits32, made.task);
+  std::vector<Rgb> reflectance;
+  for (const Element& element : made.elements.elements())
+    reflectance.push_back(made.world.scene().material_of_object(element.object).diffuse);
+  std::vector<Rgb> direct;
+  double found = 0.0;
+  for (const std::uint32_t leaf : made.elements.leaves())
+    direct.push_back(reflectance[made.elements.nodes()[leaf].element].r > 0.0F ? Rgb(1.0F) : Rgb(0.0F));
+  const IndirectLight light = bounce(made.elements, made.made.transport, coefficients_of<Rgb>(made.elements, direct), reflectance,
+                                     {{}, 10000, 1e-5}, made.task);
+  const std::vector<Rgb> means = leaf_means_of<Rgb>(made.elements, light.irradiance);
+  for (std::size_t i = 0; i < means.size(); ++i)
+    found += static_cast<double>(direct[i].r * means[i].g * made.elements.nodes()[made.elements.leaves()[i]].area);
+  EXPECT_GT(found, static_cast<double>(albedo));
+  return found;
+}
+
+TEST(WaveletOperator, ASmallWindowLetsLightOut) {
+  constexpr float albedo = 0.9F;
+  const double closed = indirect_of(room_with_window(false, 0.25F, albedo), albedo),
+               open = indirect_of(room_with_window(true, 0.25F, albedo), albedo);
+  EXPECT_NEAR(open / closed, 1.0, 0.01);
+}
+
 TEST(WaveletOperator, ClosedRoomsKeepTheirEnergy) {
   constexpr float albedo = 0.8F;
   made::SceneBuilder builder;
