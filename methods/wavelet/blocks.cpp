@@ -13,13 +13,13 @@ constexpr std::size_t block_chunk = 4096;
 /// The pairs of one element with others.
 class Refinement {
  public:
-  Refinement(const Elements& elements, const Kernel& kernel, const RefinementRule& rule, RayStream& rays)
-      : nodes_(elements.nodes()), kernel_(kernel), rule_(rule), rays_(rays) {}
+  Refinement(const Elements& elements, const Kernel& kernel, const RefinementRule& rule, RayStream& rays, const Task& task)
+      : nodes_(elements.nodes()), kernel_(kernel), rule_(rule), rays_(rays), task_(task) {}
 
   void refine(std::uint32_t receiver, std::uint32_t sender) {
+    if (blocks.size() > rule_.most_blocks || task_.cancelled()) return;
     const Exchange exchange = kernel_.between(receiver, sender, rays_);
     ++visits;
-    if (blocks.size() > rule_.most_blocks) return;
     const Node &to = nodes_[receiver], &from = nodes_[sender];
     const bool splits_receiver = !to.is_leaf() && static_cast<double>(exchange.receiver_spread) > rule_.receiver_threshold;
     const bool splits_sender = !from.is_leaf() && static_cast<double>(exchange.sender_spread) > rule_.sender_threshold;
@@ -55,6 +55,7 @@ class Refinement {
   const Kernel& kernel_;
   const RefinementRule& rule_;
   RayStream& rays_;
+  const Task& task_;
 };
 
 }  // namespace
@@ -72,7 +73,7 @@ Blocks::Blocks(const World& world, const Elements& elements, const Kernel& kerne
       const std::size_t to = first + range.begin;
       if (count.load(std::memory_order_relaxed) > rule.most_blocks) return;
       RayStream rays = task.rays(world);
-      Refinement refinement(elements, kernel, rule, rays);
+      Refinement refinement(elements, kernel, rule, rays, task);
       for (std::size_t from = rule.symmetric() ? to + 1 : 0; from < roots.size(); ++from)
         if (from != to) refinement.refine(roots[to].root, roots[from].root);
       visits[to] = refinement.visits;

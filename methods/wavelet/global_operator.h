@@ -16,15 +16,18 @@ namespace gibench::wavelet {
 struct SeriesRule {
   double threshold = 1e-4;  ///< links of a power without a larger coefficient are left out, and end the series
   int most_powers = 100;
+  std::size_t most_bytes = std::size_t{2} << 30U;  ///< of the operator while it is made
 };
 
 /// One power of the direct operator, after compression.
 struct PowerCount {
   std::uint64_t links = 0, coefficients = 0;  ///< a coefficient has three channels
+  double squares = 0.0;                       ///< sum over all coefficients and channels
 };
 
 /// T + T² + …, the powers compressed one by one. A row of a power needs the same row of the power before and no other: rows are
-/// made one by one, and no power is ever held as a whole.
+/// made one by one, and no power is ever held as a whole. A row ends where nothing of a power is left, or less than rounding of
+/// the sum.
 class GlobalOperator {
  public:
   GlobalOperator() = default;
@@ -33,6 +36,8 @@ class GlobalOperator {
                  const SeriesRule& rule, Task& task);
 
   bool empty() const { return row_begin_.empty(); }
+  /// It would have passed the rule's bytes: it is empty.
+  bool refused() const { return refused_; }
   std::size_t links() const { return senders_.size(); }
   std::size_t coefficients() const { return coefficients_.size(); }
   std::size_t bytes() const;
@@ -50,6 +55,7 @@ class GlobalOperator {
   std::vector<std::size_t> coefficient_begin_;
   std::vector<Rgb> coefficients_;
   std::vector<PowerCount> powers_;
+  bool refused_ = false;
 };
 
 }  // namespace gibench::wavelet

@@ -21,11 +21,12 @@ using Square = std::array<Four, child_count>;  ///< children of a receiver × ch
 /// The rows of one receiving element, from its leaves up to its root.
 class ElementRows {
  public:
-  ElementRows(const Elements& elements, const Blocks& blocks, double compression)
+  ElementRows(const Elements& elements, const Blocks& blocks, double compression, const Task& task)
       : elements_(elements),
         nodes_(elements.nodes()),
         blocks_(blocks),
         compression_(compression),
+        task_(task),
         by_group_(elements.groups().size()),
         is_touched_(elements.groups().size(), 0) {}
 
@@ -33,6 +34,7 @@ class ElementRows {
     std::vector<Row> rows(element.end - element.root);
     std::vector<LinkRows> of_groups;
     for (std::uint32_t node = element.end; node-- > element.root;) {
+      if (task_.cancelled()) return {};
       gather_blocks(node);
       const Node& at = nodes_[node];
       for (std::size_t child = 0; child < child_count && !at.is_leaf(); ++child)
@@ -168,6 +170,7 @@ class ElementRows {
   std::span<const Node> nodes_;
   const Blocks& blocks_;
   double compression_;
+  const Task& task_;
   std::vector<Square> by_group_;
   std::vector<std::uint8_t> is_touched_;
   std::vector<std::uint32_t> touched_;
@@ -180,7 +183,7 @@ OperatorMaking make_operator(const Elements& elements, const Blocks& blocks, dou
   const std::span roots = elements.elements();
   std::vector<LinkRows> parts(roots.size());
   task.parallel_chunks(roots.size(), 1, [&](const ChunkRange& range) {
-    parts[range.begin] = ElementRows(elements, blocks, compression).links_of(roots[range.begin]);
+    parts[range.begin] = ElementRows(elements, blocks, compression, task).links_of(roots[range.begin]);
   });
   OperatorMaking made;
   if (task.cancelled()) return made;

@@ -77,6 +77,24 @@ TEST(WaveletGlobal, CompressionEndsTheSeriesAndGatheringGivesSomeOfItBack) {
   EXPECT_LT(error(coarse, true), error(coarse, false));
 }
 
+TEST(WaveletGlobal, WithoutCompressionEndsAtRounding) {
+  Bouncing room(furnace(0.5F), "24");
+  const GlobalOperator global(room.made.elements, room.made.transport, room.reflectance, {0.0, 100000}, room.task);
+  EXPECT_LT(global.powers().size(), 60U);
+  const IndirectLight light =
+      all_bounces(room.made.elements, room.made.transport, global, false, room.direct, room.reflectance, room.task);
+  EXPECT_LT(difference(room.solved(1e-8).irradiance, light.irradiance), 1e-5);
+}
+
+TEST(WaveletGlobal, RefusesToPassItsBytes) {
+  Bouncing room(open_corner());
+  const GlobalOperator whole(room.made.elements, room.made.transport, room.reflectance, {1e-4, 100}, room.task);
+  EXPECT_FALSE(whole.refused());
+  const GlobalOperator refused(room.made.elements, room.made.transport, room.reflectance, {1e-4, 100, whole.bytes()}, room.task);
+  EXPECT_TRUE(refused.refused());
+  EXPECT_EQ(refused.bytes(), 0U);
+}
+
 TEST(WaveletGlobal, TheLossThatIsReportedExplainsAFurnaceNearOne) {
   constexpr float albedo = 0.99F;
   Bouncing room(furnace(albedo));
