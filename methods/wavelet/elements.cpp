@@ -49,12 +49,23 @@ float depth_inside(const Patch& patch, const Vec3& normal, const Vec3& point) {
   return least;
 }
 
+std::size_t sides_of(const World& world, const FlatPieces& flat) {
+  std::size_t sides = 0;
+  for (const FlatPiece& piece : flat.pieces)
+    sides += world.scene().objects[world.scene().triangle_object[piece.triangle]].two_sided ? std::size_t{2} : std::size_t{1};
+  return sides;
+}
+
 }  // namespace
 
 Elements::Elements(const World& world, const ElementOptions& options, Task& task) {
   const FlatPieces flat = flat_pieces(world, options.cuts);
   task.count("quads_by_triangle", flat.quads_by_triangle);
   task.count("faces_without_area", flat.faces_without_area);
+  if (const std::size_t count = sides_of(world, flat); count > options.most_elements) {
+    refused_ = count;
+    return;
+  }
   for (const FlatPiece& piece : flat.pieces) {
     Element element;
     element.triangle = piece.triangle;

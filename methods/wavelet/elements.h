@@ -58,6 +58,7 @@ struct ElementOptions {
   double leaf_area = 0.0;  ///< m²: leaves are about as large
   bool cuts = true;        ///< see flat_pieces()
   int exposure_rays = 4;   ///< from each point; all meet black backs: it lies inside geometry; 0: none does
+  std::size_t most_elements = std::size_t{1} << 15U;
 };
 
 /// The elements of a scene and the nodes of their quadtrees, all of an element's leaves at one depth. Immutable.
@@ -65,6 +66,9 @@ class Elements {
  public:
   Elements() = default;
   Elements(const World& world, const ElementOptions& options, Task& task);
+
+  /// How many there would have been where that is more than the options allow: there are none then. 0: they are all there.
+  std::size_t refused() const { return refused_; }
 
   std::span<const Element> elements() const { return elements_; }
   std::span<const Node> nodes() const { return nodes_; }
@@ -111,6 +115,7 @@ class Elements {
   std::vector<std::uint32_t> first_triangle_;  ///< of a scene triangle: itself, or the other of its quad, which elements name
   std::optional<Grouped> by_side_;             ///< elements of sides of scene triangles
   std::size_t functions_ = 0;
+  std::size_t refused_ = 0;
   std::size_t kept_points_ = 0;  ///< of every leaf; 0: all points of all nodes
 };
 

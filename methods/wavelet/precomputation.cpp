@@ -16,6 +16,7 @@ namespace {
 
 constexpr double bytes_a_block = 200.0;  // a block, its references, and its part of the links
 constexpr int most_doublings = 20;
+constexpr double most_blocks = 2147483647.0;  // numbers of 32 bits count their references, two of each
 
 /// m² of both sides of two-sided triangles, and of the fronts of others.
 double lit_area(const World& world) {
@@ -36,7 +37,7 @@ Blocks refine(const World& world, const Elements& elements, const Settings& sett
               StageReport& report) {
   const Kernel kernel(world, elements, {settings.kernel, tests_visibility, settings.rays, task.seed()});
   RefinementRule rule{settings.receiver_threshold, settings.sender_threshold,
-                      static_cast<std::size_t>(settings.memory_budget * 1e6 / bytes_a_block)};
+                      static_cast<std::size_t>(std::min(most_blocks, settings.memory_budget * 1e6 / bytes_a_block))};
   Blocks blocks(world, elements, kernel, rule, task);
   for (int doubling = 0; blocks.refused() && doubling < most_doublings && !task.cancelled(); ++doubling) {
     rule.receiver_threshold = 2.0 * std::max(1e-6, rule.receiver_threshold);
@@ -61,6 +62,14 @@ Precomputed precompute(const World& world, const Settings& settings, bool tests_
   const double leaf_area = lit_area(world) / settings.leaves;
   made.elements =
       Elements(world, {leaf_area, settings.cuts && tests_visibility, tests_visibility ? settings.exposure_rays : 0}, task);
+  if (const std::size_t count = made.elements.refused(); count > 0) {
+    report.termination = Termination::out_of_budget;
+    report.message = fmt::format(
+        "cut faces and long ones in parts make {} elements, and every pair of them is looked at: {} at most; "
+        "set cuts=false, or leave long thin faces out of the scene",
+        count, ElementOptions().most_elements);
+    return made;
+  }
   count_elements(made.elements, task);
   task.progress("elements", 0.1);
   if (task.cancelled()) return made;

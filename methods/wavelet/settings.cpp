@@ -1,5 +1,6 @@
 #include "methods/wavelet/settings.h"
 
+#include "common/core/error.h"
 #include "common/method/parameter_table.h"
 
 namespace gibench::wavelet {
@@ -20,14 +21,16 @@ const ParameterTable<Settings>& table() {
                 "a sender is refined while a wavelet on it could have a larger coefficient"),
       parameter("receiver_threshold", &Settings::receiver_threshold, 0.0, 1.0,
                 "a receiver is refined while a wavelet on it could have a larger coefficient"),
-      parameter("rays", &Settings::rays, 1, 4096, "rays of a pair of leaves; up to four times as many of larger nodes"),
+      parameter("rays", &Settings::rays, 1, 256,
+                "rays of a pair of leaves, at least 2 with kernel=samples; up to four times as many of larger nodes"),
       parameter("closure_rays", &Settings::closure_rays, 0, 65536,
                 "rays of a leaf that tell whether it is closed in, and so gets exactly what its surroundings send; 0: none is"),
       parameter("compression", &Settings::compression, 0.0, 1.0, "links without a larger coefficient are left out"),
       parameter("precision", &Settings::precision, {{"16", Precision::bits16}, {"32", Precision::bits32}},
                 "bits of a coefficient of the direct operator; 16: in units of 1/32767 of the largest of its row"),
-      parameter("memory_budget", &Settings::memory_budget, 1.0, 1e6,
-                "MB for the operator while it is made; both thresholds are doubled until it suffices"),
+      parameter(
+          "memory_budget", &Settings::memory_budget, 1.0, 1e6,
+          "MB for the operator while it is made; both thresholds are doubled until it suffices; the global operator has as much"),
       parameter(
           "mode", &Settings::mode, {{"solve", Mode::solve}, {"global", Mode::global}, {"gathered", Mode::gathered}},
           "bounces by the direct operator whenever lights change; all of them in one operator, albedos as prepared; or that, "
@@ -62,6 +65,12 @@ std::vector<Preset> presets() {
             {"series_threshold", "1e-4"}}}};
 }
 
-Settings settings_from(const Parameters& parameters) { return table().read(parameters); }
+Settings settings_from(const Parameters& parameters) {
+  const Settings settings = table().read(parameters);
+  if (settings.kernel == KernelForm::samples && settings.rays < 2)
+    throw InputError("parameters", "kernel=samples compares samples of a pair, and rays=1 takes a single one",
+                     "set rays=2 or more");
+  return settings;
+}
 
 }  // namespace gibench::wavelet

@@ -32,6 +32,13 @@ std::size_t sides_of(const Scene& scene) {
   return sides;
 }
 
+/// Of every material whether it emits.
+std::vector<std::uint8_t> emitters_of(const Scene& scene) {
+  std::vector<std::uint8_t> emitters;
+  for (const Material& material : scene.materials) emitters.push_back(is_black(material.emission) ? 0 : 1);
+  return emitters;
+}
+
 /// Samples whose answer is not simply the interpolated one.
 struct Exceptions {
   std::uint64_t clamped = 0;    ///< light below zero, answered as zero
@@ -66,6 +73,7 @@ class Wavelet : public TransportMethod {
     plan_ = plan;
     made_ = {};
     global_ = {};
+    emitters_ = emitters_of(world.scene());
     indirect_.clear();
     if (!simulates_indirect()) {
       report.message = "no diffuse interreflection is called for: no elements made";
@@ -90,20 +98,24 @@ class Wavelet : public TransportMethod {
             ? bounce(made_.elements, made_.transport, direct, reflectance(), bound(), task)
             : all_bounces(made_.elements, made_.transport, global_, gathers(), direct, reflectance(), task);
     report.termination = solved.termination;
-    report.message = solved.message;
+    if (settings_.mode != Mode::solve) end_of_series(report);
+    add_sentence(solved.message, report);
     task.count("bounces", static_cast<std::uint64_t>(solved.bounces));
     task.progress("bounces", 1.0, solved.residual);
     indirect_ = made_.reconstruction.corner_values(leaf_means_of<Rgb>(made_.elements, solved.irradiance));
   }
 
-  /// Materials stand in the global operator alone.
+  /// Albedos stand in the global operator alone. Of faces in one place that which emits shows: its material decides where
+  /// elements are.
   void edit(const SceneEdit& edit, const World& after, const EffectPlan& plan, const PlannedLights& lights, Task& task,
             StageReport& report) override {
-    const bool in_place =
-        same_work(plan) && std::visit(Overloaded{[](const LightEdit&) { return true; },
-                                                 [&](const MaterialEdit&) { return settings_.mode == Mode::solve; },
-                                                 [](const MoveEdit&) { return false; }, [](const DeformEdit&) { return false; }},
-                                      edit);
+    const bool in_place = same_work(plan) &&
+                          std::visit(Overloaded{[](const LightEdit&) { return true; },
+                                                [&](const MaterialEdit&) {
+                                                  return settings_.mode == Mode::solve && emitters_of(after.scene()) == emitters_;
+                                                },
+                                                [](const MoveEdit&) { return false; }, [](const DeformEdit&) { return false; }},
+                                     edit);
     world_ = &after;
     plan_ = plan;
     if (in_place) light(lights, task, report);
@@ -145,9 +157,19 @@ class Wavelet : public TransportMethod {
   void make_global(Task& task, StageReport& report) {
     const int last = plan_.max_bounces.value_or(settings_.powers + 1) - (gathers() ? 1 : 0);
     if (last > 0)
-      global_ = GlobalOperator(made_.elements, made_.transport, reflectance(),
-                               {settings_.series_threshold, std::min(last, settings_.powers)}, task);
+      global_ = GlobalOperator(
+          made_.elements, made_.transport, reflectance(),
+          {settings_.series_threshold, std::min(last, settings_.powers), static_cast<std::size_t>(settings_.memory_budget * 1e6)},
+          task);
     if (task.cancelled()) return;
+    if (global_.refused()) {
+      report.termination = Termination::out_of_budget;
+      add_sentence(
+          fmt::format("the global operator would pass memory_budget={:g} MB: raise it or series_threshold, or set mode=solve",
+                      settings_.memory_budget),
+          report);
+      return;
+    }
     task.count("global_links", global_.links());
     task.count("global_coefficients", global_.coefficients());
     for (std::size_t p = 0; p < global_.powers().size(); ++p)
@@ -161,7 +183,24 @@ class Wavelet : public TransportMethod {
                    report);
   }
 
+  /// The powers end by themselves, with the plan, or short of both at the most that are made.
+  void end_of_series(StageReport& report) const {
+    const std::span powers = global_.powers();
+    const bool plan_bounds = plan_.max_bounces && *plan_.max_bounces - (gathers() ? 1 : 0) <= settings_.powers;
+    if (plan_bounds || powers.size() < static_cast<std::size_t>(settings_.powers)) return;
+    const double before = powers.size() > 1 ? powers[powers.size() - 2].squares : 0.0;
+    const double ratio = before > 0.0 ? std::sqrt(powers.back().squares / before) : 0.0;
+    report.termination = ratio > fading_ratio ? Termination::not_converged : Termination::bound_reached;
+    add_sentence(
+        ratio > fading_ratio
+            ? fmt::format("the powers do not fade (ratio {:.6f}): the scene absorbs no light; powers={} ends them", ratio,
+                          settings_.powers)
+            : fmt::format("{} powers made, the last {:.6f} of the one before; raise the parameter powers", powers.size(), ratio),
+        report);
+  }
+
   static void add_sentence(const std::string& text, StageReport& report) {
+    if (text.empty()) return;
     report.message += (report.message.empty() ? "" : "; ") + text;
   }
 
@@ -188,8 +227,9 @@ class Wavelet : public TransportMethod {
   const World* world_ = nullptr;
   EffectPlan plan_;
   Precomputed made_;
-  GlobalOperator global_;      ///< not of mode=solve
-  std::vector<Rgb> indirect_;  ///< irradiance at the corners of leaves, W/m²; empty: none
+  GlobalOperator global_;               ///< not of mode=solve
+  std::vector<std::uint8_t> emitters_;  ///< of every material, as prepared
+  std::vector<Rgb> indirect_;           ///< irradiance at the corners of leaves, W/m²; empty: none
 };
 
 }  // namespace

@@ -98,5 +98,14 @@ TEST(WaveletElements, OddQuadsAreTakenByTriangleAndCounted) {
   for (const Node& node : elements.nodes()) EXPECT_TRUE(std::isfinite(node.area));
 }
 
+TEST(WaveletElements, MoreThanAllowedAreRefused) {
+  const World world(open_corner());
+  Task task;
+  EXPECT_EQ(Elements(world, {0.02, true, 0}, task).refused(), 0U);
+  const Elements refused(world, {0.02, true, 0, 3}, task);
+  EXPECT_GT(refused.refused(), 3U);
+  EXPECT_TRUE(refused.elements().empty());
+}
+
 }  // namespace
 }  // namespace gibench::test

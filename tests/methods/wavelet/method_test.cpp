@@ -1,6 +1,7 @@
 /// The whole method: furnaces, refusals, budgets, changed materials.
 #include <gtest/gtest.h>
 
+#include "common/core/error.h"
 #include "common/geometry/surface_sampling.h"
 #include "common/method/method_session.h"
 #include "methods/wavelet/wavelet.h"
@@ -46,6 +47,52 @@ TEST(WaveletMethod, ASmallBudgetMakesACoarserOperatorAndSaysSo) {
   ASSERT_TRUE(succeeded(coarse.prepared.termination)) << coarse.prepared.message;
   EXPECT_NE(coarse.prepared.message.find("memory_budget"), std::string::npos);
   EXPECT_LT(coarse.prepared.counters["blocks"], fine.prepared.counters["blocks"]);
+}
+
+TEST(WaveletMethod, PowersThatEndTooSoonAreReported) {
+  for (const char* mode : {"global", "gathered"}) {
+    Solved few(furnace(0.8F), {{"leaves", "24"}, {"mode", mode}, {"powers", "3"}});
+    EXPECT_EQ(few.lit.termination, Termination::bound_reached) << mode;
+    EXPECT_NE(few.lit.message.find("powers"), std::string::npos) << few.lit.message;
+    Solved enough(furnace(0.5F), {{"leaves", "24"}, {"mode", mode}});
+    EXPECT_EQ(enough.lit.termination, Termination::done) << enough.lit.message;
+  }
+  Solved endless(furnace(1.0F), {{"leaves", "24"}, {"mode", "global"}, {"precision", "32"}, {"compression", "0"}});
+  EXPECT_EQ(endless.lit.termination, Termination::not_converged) << endless.lit.message;
+  EXPECT_NE(endless.lit.message.find("powers"), std::string::npos) << endless.lit.message;
+}
+
+TEST(WaveletMethod, AGlobalOperatorBeyondTheBudgetIsReported) {
+  Solved solved(furnace(0.8F), {{"leaves", "2000"}, {"mode", "global"}, {"memory_budget", "1"}, {"series_threshold", "0"}});
+  EXPECT_EQ(solved.prepared.termination, Termination::out_of_budget);
+  EXPECT_NE(solved.prepared.message.find("memory_budget"), std::string::npos) << solved.prepared.message;
+}
+
+TEST(WaveletMethod, SamplesOfTheKernelAreAtLeastTwo) {
+  EXPECT_THROW(wavelet_settings({{"kernel", "samples"}, {"rays", "1"}}), InputError);
+  EXPECT_EQ(wavelet_settings({{"kernel", "samples"}, {"rays", "2"}}).rays, 2);
+}
+
+/// Of two faces in one place that which emits shows.
+TEST(WaveletMethod, AMaterialThatBeginsToEmitMakesTheElementsAnew) {
+  const auto room = [](const Rgb& albedo, const Rgb& emission) {
+    made::SceneBuilder builder;
+    builder.room("room", builder.diffuse("white", Rgb(0.5F), Rgb(0.1F)), Vec3(0.0F), Vec3(1.0F));
+    builder.quad("panel", builder.diffuse("panel", albedo, emission), {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+    return builder.build("room");
+  };
+  Solved solved(room(Rgb(0.5F), Rgb()), {{"leaves", "100"}});
+  const auto elements_after = [&](Scene scene) {
+    const World after(std::move(scene));
+    const MaterialEdit edit{"panel", after.scene().materials[1]};
+    const StageReport report = solved.method->edit(edit, after, Lighting::of(after.scene()), solved.task);
+    EXPECT_TRUE(succeeded(report.termination)) << report.message;
+    return report.counters["elements"];
+  };
+  EXPECT_EQ(elements_after(room(Rgb(0.7F), Rgb())), 0U);
+  EXPECT_GT(elements_after(room(Rgb(0.7F), Rgb(1.0F))), 0U);
+  EXPECT_EQ(elements_after(room(Rgb(0.2F), Rgb(2.0F))), 0U);
+  EXPECT_GT(elements_after(room(Rgb(0.2F), Rgb())), 0U);
 }
 
 TEST(WaveletMethod, RefusesWhatHasTooManySides) {
