@@ -24,7 +24,8 @@ const ParameterTable<Settings>& table() {
       parameter("rays", &Settings::rays, 1, 256,
                 "rays of a pair of leaves, at least 2 with kernel=samples; up to four times as many of larger nodes"),
       parameter("closure_rays", &Settings::closure_rays, 0, 65536,
-                "rays of a leaf that tell whether it is closed in, and so gets exactly what its surroundings send; 0: none is"),
+                "rays of a leaf that tell whether scene and leaf are closed in, so that it gets exactly what its surroundings "
+                "send; 0: none is"),
       parameter("compression", &Settings::compression, 0.0, 1.0, "links without a larger coefficient are left out"),
       parameter("precision", &Settings::precision, {{"16", Precision::bits16}, {"32", Precision::bits32}},
                 "bits of a coefficient of the direct operator; 16: in units of 1/32767 of the largest of its row"),
