@@ -8,8 +8,9 @@ namespace gibench::spectral {
 namespace {
 
 constexpr int halvings = 20;
-constexpr double lowest_threshold = 1e-8;  // of the one that leaves out everything
-constexpr double least_spread = 1e-3;      // of the largest: no function is taken to carry nothing
+constexpr double lowest_threshold = 1e-8;     // of the one that leaves out everything
+constexpr double error_of_eight_bits = 0.02;  // from there on: below it single points would notice
+constexpr double least_spread = 1e-3;         // of the largest: no function is taken to carry nothing
 
 double squared(const Rgb4& c) {
   const auto r = static_cast<double>(c.r), g = static_cast<double>(c.g), b = static_cast<double>(c.b);
@@ -129,7 +130,7 @@ std::vector<std::size_t> pilot_blocks(std::size_t blocks, std::size_t most) {
 
 Truncation choose_truncation(const SpectralBasis& basis, const TrialLights& lights, std::span<const PilotBlock> pilots,
                              double error, Task& task) {
-  Truncation truncation{spread_of_columns(basis, lights.usual), 0.0F, false};
+  Truncation truncation{spread_of_columns(basis, lights.usual), 0.0F, false, error >= error_of_eight_bits};
   const Trial trial(pilots, lights.judges, basis.constant(), task);
   double high = threshold_that_drops_all(pilots, truncation.importance), low = high * lowest_threshold;
   for (int i = 0; i < halvings && !task.cancelled(); ++i) {

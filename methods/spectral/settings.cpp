@@ -11,7 +11,7 @@ const ParameterTable<Settings>& table() {
       parameter(
           "vertices", &Settings::vertices, 0, 4e6,
           "vertices wanted in the sampling mesh: large faces are cut, and what is finer comes together in clusters; 0: 8000, "
-          "or 16 000 where the scene has more than 64 000 triangles"),
+          "or 16 000 where the scene has more than 32 000 triangles"),
       parameter(
           "nodes", &Settings::nodes, {{"clusters", NodeKind::clusters}, {"vertices", NodeKind::vertices}},
           "a mesh of many more vertices is held in clusters of them, small loose pieces are joined; or every vertex and every "
@@ -31,7 +31,7 @@ const ParameterTable<Settings>& table() {
           "16 bits a coefficient: truncated as far as compression_error lets it, or what rounds to zero dropped (the paper)"),
       parameter("compression_error", &Settings::compression_error, -1.0, 1.0,
                 "share of the indirect light that 16-bit quantisation and truncation may add; 0: 32 bits, nothing dropped; -1: "
-                "0.005, or 0.02 of "
+                "0.01, or 0.02 of "
                 "clusters"),
       parameter("bounces", &Settings::bounces, 1, 100000, "most bounces that are computed"),
       parameter("residual", &Settings::residual, 1e-9, 1.0,

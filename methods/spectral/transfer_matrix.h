@@ -19,6 +19,7 @@ struct Truncation {
   std::vector<float> importance;  ///< > 0, one per column: how much light it usually carries; empty: nothing else is left out
   float threshold = 0.0F;         ///< a block keeps columns of which the root mean square value times importance is above it
   bool rounding = false;          ///< it keeps those of which a value does not round to zero instead, and changes no other value
+  bool eight_bits = true;         ///< for columns without a large value
 };
 
 /// Rows of (value, column) pairs, in blocks of up to eight rows that are alike and share their columns: a column number is held
@@ -76,7 +77,9 @@ class TransferMatrix {
 
  private:
   bool rounded() const { return !truncation_.importance.empty(); }
-  float narrow_step() const { return 0.5F * truncation_.threshold; }  ///< of 8-bit values times importance
+  float narrow_step() const {
+    return truncation_.eight_bits ? 0.5F * truncation_.threshold : 0.0F;
+  }  ///< of values times importance
 
   Truncation truncation_;
   std::vector<float> constant_;
