@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<Rgb>;
 
-constexpr int experiments = 2000;
+constexpr int experiments = 500;
 
 /// A method whose error is smooth, of a size that its seed draws, and noisy at every point.
 struct SeededMethod {
@@ -80,7 +80,7 @@ double coverage(const Case& tried) {
 class SeedCoverage : public testing::TestWithParam<Case> {};
 
 TEST_P(SeedCoverage, IsNinetyFivePercent) {
-  // What 2000 experiments keep to but for one in a million.
+  // What these experiments keep to but for one in a million.
   const boost::math::binomial counts(experiments, 0.95);
   const double share = coverage(GetParam());
   EXPECT_GE(share, boost::math::quantile(counts, 1e-6) / experiments);
