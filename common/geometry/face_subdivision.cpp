@@ -8,14 +8,13 @@
 #include <unordered_map>
 
 #include "common/core/error.h"
+#include "common/geometry/convex_quad.h"
 #include "common/geometry/mesh_topology.h"
 
 namespace gibench {
 
 namespace {
 
-constexpr double planarity = 1e-5;    // of a quad's diagonals
-constexpr double least_turn = 1e-3;   // sine of the angle at a corner of a quad that counts as convex
 constexpr double count_slack = 1e-4;  // of a piece: what rounding may add to an edge of exactly n pieces
 constexpr std::uint32_t most_pieces = 1U << 16;
 
@@ -99,19 +98,10 @@ class ObjectCutter {
     return points;
   }
 
-  bool is_planar_and_convex(const Face& quad) {
-    std::array<Vec3d, 4> p;
-    for (std::size_t i = 0; i < 4; ++i) p[i] = Vec3d(world_.scene().vertices[quad.corners[i]]);
-    const Vec3d first = p[2] - p[0], second = p[3] - p[1], axis = glm::cross(first, second);
-    const double doubled_area = glm::length(axis);
-    if (!(doubled_area > 0.0)) return false;
-    const Vec3d normal = axis / doubled_area;
-    if (std::fabs(glm::dot(p[1] - p[0], normal)) > planarity * (glm::length(first) + glm::length(second))) return false;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3d along = p[(i + 1) % 4] - p[i], next = p[(i + 2) % 4] - p[(i + 1) % 4];
-      if (!(glm::dot(glm::cross(along, next), normal) > least_turn * glm::length(along) * glm::length(next))) return false;
-    }
-    return true;
+  bool is_cut_as_a_quad(const Face& quad) const {
+    std::array<Vec3d, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = Vec3d(world_.scene().vertices[quad.corners[i]]);
+    return is_planar_and_convex(corners);
   }
 
   void collect_patches() {
@@ -120,7 +110,7 @@ class ObjectCutter {
       const Face& face = scene.faces[scene.triangle_face[t]];
       const bool first_of_quad =
           face.is_quad() && t + 1 < object_.triangle_end && scene.triangle_face[t + 1] == scene.triangle_face[t];
-      if (first_of_quad && world_.area(t) > 0.0F && world_.area(t + 1) > 0.0F && is_planar_and_convex(face)) {
+      if (first_of_quad && world_.area(t) > 0.0F && world_.area(t + 1) > 0.0F && is_cut_as_a_quad(face)) {
         patches_.push_back({points_of(face), t});
         ++t;
         continue;

@@ -5,12 +5,12 @@
 #include <optional>
 #include <span>
 
+#include "common/geometry/convex_quad.h"
+
 namespace gibench::wavelet {
 
 namespace {
 
-constexpr float planarity = 1e-5F;    // of a quad's diagonals
-constexpr float least_turn = 1e-3F;   // sine of the angle at a corner of a quad that counts as convex
 constexpr float touching = 1e-4F;     // of the scene's diagonal: what is as near as that touches
 constexpr float least_width = 2e-3F;  // of the diagonal: no cut leaves less on either side
 constexpr float elongation = 1.5F;    // from which on a quad is cut across
@@ -22,19 +22,6 @@ struct Flat {
   Vec3 normal;
   std::uint32_t triangle;
 };
-
-bool is_planar_and_convex(const std::array<Vec3, 4>& p) {
-  const Vec3 first = p[2] - p[0], second = p[3] - p[1], axis = glm::cross(first, second);
-  const float doubled = glm::length(axis);
-  if (!(doubled > 0.0F)) return false;
-  const Vec3 normal = axis / doubled;
-  if (std::fabs(glm::dot(p[1] - p[0], normal)) > planarity * (glm::length(first) + glm::length(second))) return false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3 before = p[i] - p[(i + 3) % 4], after = p[(i + 1) % 4] - p[i];
-    if (!(glm::dot(glm::cross(before, after), normal) > least_turn * glm::length(before) * glm::length(after))) return false;
-  }
-  return true;
-}
 
 std::vector<Flat> faces_of(const World& world, FlatPieces& counts) {
   const Scene& scene = world.scene();

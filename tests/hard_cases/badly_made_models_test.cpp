@@ -18,6 +18,7 @@
 #include "common/spaces/space_report.h"
 #include "common/spaces/surface_domain.h"
 #include "methods/registry.h"
+#include "tests/support/box_of_quads.h"
 
 namespace gibench {
 namespace {
@@ -43,14 +44,7 @@ class Boxes {
 
   /// Fronts inwards or outwards.
   Boxes& box(const std::string& name, const Vec3& low, const Vec3& high, bool inwards, bool two_sided = false) {
-    std::vector<Vec3> corners;
-    for (unsigned i = 0; i < 8; ++i)
-      corners.push_back({(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z});
-    std::vector<std::array<std::uint32_t, 4>> faces{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                                    {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    if (inwards)
-      for (auto& face : faces) std::swap(face[1], face[3]);
-    builder_.object(name, white_, corners, faces, two_sided);
+    test::add_box(builder_, name, white_, low, high, inwards, two_sided);
     return *this;
   }
   /// A unit room of tiles, `across` of them along an edge and each a piece of its own, with gaps of `gap` between them.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/scene/made_scenes.h"
+#include "tests/support/box_of_quads.h"
 
 namespace gibench {
 namespace {
@@ -13,18 +14,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Six quads, fronts inwards or outwards.
+/// In a white of its own.
 void add_box(made::SceneBuilder& builder, const std::string& name, const Vec3& low, const Vec3& high, bool inwards,
              bool two_sided) {
   const std::uint32_t white = builder.diffuse("white of " + name, Rgb(0.5F));
-  std::vector<Vec3> corners;
-  for (unsigned i = 0; i < 8; ++i)
-    corners.push_back({(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z});
-  std::vector<std::array<std::uint32_t, 4>> faces{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                                  {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  if (inwards)
-    for (auto& face : faces) std::swap(face[1], face[3]);
-  builder.object(name, white, corners, faces, two_sided);
+  test::add_box(builder, name, white, low, high, inwards, two_sided);
 }
 
 SpaceReport report_of(const made::SceneBuilder& builder) {
