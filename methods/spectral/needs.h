@@ -8,7 +8,7 @@
 
 namespace gibench::spectral {
 
-/// Sets the vertices where they are left open: 8000; 16 000 of a scene of more than 32 000 triangles, which clusters stand for.
+/// Sets the vertices where they are left open: 8000; 16 000 of a scene of more than 32 000 triangles that clusters may stand for.
 void settle_vertices(std::size_t triangles, Settings& settings);
 
 /// Sets what else is left open: 1024 functions in parts of 1000, 1024 rays of a vertex, 1% for compression. Of

@@ -30,9 +30,8 @@ const ParameterTable<Settings>& table() {
           "compression", &Settings::compression, {{"judged", Compression::judged}, {"rounding", Compression::rounding}},
           "16 bits a coefficient: truncated as far as compression_error lets it, or what rounds to zero dropped (the paper)"),
       parameter("compression_error", &Settings::compression_error, -1.0, 1.0,
-                "share of the indirect light that 16-bit quantisation and truncation may add; 0: 32 bits, nothing dropped; -1: "
-                "0.01, or 0.02 of "
-                "clusters"),
+                "share of the indirect light that quantisation and truncation may add; 0: 32 bits, nothing dropped; -1: 0.01, or "
+                "0.02 of clusters"),
       parameter("bounces", &Settings::bounces, 1, 100000, "most bounces that are computed"),
       parameter("residual", &Settings::residual, 1e-9, 1.0,
                 "the bounces end when those left out hold less, share of the solution"),

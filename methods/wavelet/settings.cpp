@@ -55,7 +55,8 @@ ParameterSchema settings_schema() { return table().schema(); }
 
 std::vector<Preset> presets() {
   return {{"paper",
-           "the text's algorithm: samples of the kernel and the oracle on them, faces as they are, the gathered global operator",
+           "the text's algorithm: samples of the kernel and the oracle on them, no cuts where faces meet, the gathered global "
+           "operator",
            {{"kernel", "samples"},
             {"cuts", "false"},
             {"exposure_rays", "0"},
